@@ -711,6 +711,10 @@ struct ProofWriter {
             json["counted"] = Json::array();
             for (const Symbol a : said.counted) json["counted"].push_back(alphabet.name(a));
         }
+        if (said.from) {
+            json["from"] = *said.from;
+            json["tables"] = said.tables;
+        }
         return json;
     }
     Json operator()(const steps::BothInclusions& said) const {
@@ -827,6 +831,32 @@ struct ProofWriter {
         return {{"word", certificate_text(alphabet, said.word)},
                 {"images", words_json(said.images, alphabet)},
                 {"cases", std::move(cases)}};
+    }
+    Json operator()(const steps::ByLengths& said) const {
+        Json json = {{"by", "lengths"}};
+        if (!said.sums.empty()) {
+            json["sums"] = said.sums;
+            return json;
+        }
+        json["targets"] = Json::array();
+        for (const auto& target : said.targets) {
+            Json frames = Json::array();
+            for (const auto& frame : target.frames)
+                frames.push_back(
+                    {{"modulus", frame.modulus}, {"rest", frame.rest}, {"case", of(frame.root)}});
+            Json& one = json["targets"].emplace_back(Json::object());
+            if (target.length) one["length"] = *target.length;
+            if (target.rest) one["rest"] = *target.rest;
+            one["frames"] = std::move(frames);
+        }
+        return json;
+    }
+    Json of(const steps::ByLengths::Case& said) const {
+        if (said.length) return {{"length", *said.length}};
+        if (said.rest) return {{"rest", *said.rest}};
+        Json cases = Json::array();
+        for (const auto& each : said.cases) cases.push_back(of(each));
+        return {{"sum", said.sum}, {"cases", std::move(cases)}};
     }
     Json operator()(const steps::NotGeometric& said) const {
         return {{"by", "geometric"}, {"length", said.length}, {"infinite", of(said.infinite)}};

@@ -9,6 +9,7 @@
 #include "language/detail/equality.hpp"
 #include "language/detail/interactive.hpp"
 #include "language/detail/judge.hpp"
+#include "language/detail/lengths.hpp"
 #include "language/detail/powers.hpp"
 #include "language/detail/progressions.hpp"
 #include "language/detail/proof.hpp"
@@ -428,24 +429,20 @@ private:
 
     std::optional<Answer> regular_in_generated(const RegularLanguage& left) const {
         if (right_->kind != Kind::generated || right_->system->variable) return std::nullopt;
-        const auto found = induction(left, *right_->system);
+        auto found = induction(left, *right_->system);
         if (!found) return std::nullopt;
-        steps::ByInduction induction{left_, {}, {}, {}};
-        if (const auto& system = right_->system->tables;
-            system && found->counted.size() < system->tables.front().size())
-            induction.counted = found->counted;
         for (const Word& word : found->base) {
             Answer member = judge_membership(right_, word, alphabet_, budget_);
             if (member.truth == Truth::refuted) return witness(word);
             if (member.truth == Truth::undecided) return std::nullopt;
-            induction.base.push_back(word);
-            induction.members.push_back(std::move(member));
+            found->members.push_back(std::move(member));
         }
-        return proved(std::move(induction));
+        return proved(*std::move(found));
     }
 
-    std::optional<RegularInduction> induction(const RegularLanguage& left,
-                                              const SourceSystem& system) const {
+    /// With the base of an induction, whose words are not looked at here.
+    std::optional<steps::ByInduction> induction(const RegularLanguage& left,
+                                                const SourceSystem& system) const {
         constexpr std::size_t most = 100;
         if (system.interactive) {
             const auto longer = longer_successors(*system.interactive, left, budget_);
@@ -453,11 +450,40 @@ private:
             const RegularLanguage base = algae::difference(left, *longer, budget_);
             const auto count = number_of_words(base);
             if (!count || *count > Integer(most)) return std::nullopt;
-            return RegularInduction{words_up_to(base, base.automaton().states(), budget_), {}};
+            return steps::ByInduction{
+                left_, words_up_to(base, base.automaton().states(), budget_), {}, {}};
         }
         const ET0L& tables = *system.tables;
         if (!has_only_terminals(tables)) return std::nullopt;
-        return regular_induction(left, tables.tables, most, budget_);
+        constexpr std::size_t most_states = 16;  // with more, lengths are faster than automata
+        const auto lengths = is_finite(left) ? std::nullopt : lengths_of(left);
+        if (lengths && left.automaton().states() > most_states) return by_lengths(*lengths, tables);
+        const auto found = regular_induction(left, tables.tables, most, budget_);
+        if (!found && lengths) return by_lengths(*lengths, tables);
+        if (!found) return std::nullopt;
+        steps::ByInduction induction{left_, found->base, {}, {}};
+        if (found->counted.size() < tables.tables.front().size())
+            induction.counted = found->counted;
+        return induction;
+    }
+
+    std::optional<steps::ByInduction> by_lengths(const LengthSet& left, const ET0L& system) const {
+        constexpr std::size_t most = 100, limit = 20'000;
+        std::vector<LengthTable> tables;
+        for (const Table& table : system.tables) {
+            std::set<std::size_t> lengths;
+            for (const Word& word : table.at(left.letter))
+                if (std::all_of(word.begin(), word.end(),
+                                [&](Symbol a) { return a == left.letter; }))
+                    lengths.insert(word.size());
+            tables.push_back({{lengths.begin(), lengths.end()}});
+        }
+        const auto found = length_induction(left, tables, most, limit, budget_);
+        if (!found) return std::nullopt;
+        steps::ByInduction induction{left_, {}, {}, {}, found->from, found->tables};
+        for (const std::size_t length : found->base)
+            induction.base.push_back(Word(length, left.letter));
+        return induction;
     }
 
     /// A word that is in one of the languages only, in the left one if `left_only`, among these.

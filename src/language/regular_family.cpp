@@ -5,6 +5,7 @@
 #include <set>
 
 #include "language/detail/judge.hpp"
+#include "language/detail/lengths.hpp"
 #include "language/detail/proof.hpp"
 #include "language/detail/regular.hpp"
 
@@ -549,6 +550,622 @@ std::optional<Answer> beyond_deterministic(const Language& language, const Regul
     return std::nullopt;
 }
 
+/// Languages over one letter: the lengths of their words are ultimately periodic sets S.
+///
+/// A step by a table takes a length x to all sums of x of its lengths, so a table K is closed if all sums of x of its numbers are in S
+/// for all x in S. Let t be the tail of S and p its least period.
+///
+/// 1. Rules that erase: K with 0 is closed if and only if the sums of its numbers are in S, as S is infinite. So an 0L system with 0 in S
+/// generates {m} and a set that is closed under sums, every such set has finitely many generators, and that is all there is to it: S or S without
+/// one length is closed under sums. With tables all n whose multiples are in S come of any length, and no others by tables that erase.
+///
+/// 2. Other tables make no length of a longer one, so each length of S but the least (and those of 1.) is made of a shorter one. Let D be
+/// the greatest common divisor of p and the differences of the numbers of K: they leave one rest k when divided by D. The sums of x
+/// numbers, x long, leave all rests of x k + D Z when divided by p, so these are rests of S. This is asked for of each pair of D and k first;
+/// then sums for x < t remain, whose classes (lengths below t, rests beyond) are finitely many.
+///
+/// 3. Without tables D = p: all rests of S are made of long lengths, so each with all that differ by D, and p is the least period. So x -> x k
+/// takes the rests of S onto themselves.
+///
+/// 4. A finite table makes long lengths of long ones only. For a set of classes with a long one this depends on rests modulo D. For
+/// a finite set it depends on rests modulo powers of the prime divisors of p: a length without other small prime divisors is
+/// not made by a set whose numbers have such a divisor in common, and the others make all or none with these rests.
+///
+/// So S is T0L if and only if (a) all of its lengths but one, and but those of 1., are made of shorter ones by closed sets of classes, and
+/// (b) all long ones by such sets of long ones. For (a) and (b), and for all lengths at once without tables, closed sets are looked for
+/// by cases: if a sum is not in S, one of its numbers is not in K.
+class OneLetterJudge {
+public:
+    OneLetterJudge(const Language& language, LengthSet set, const FamilyQuestion& question,
+                   const SystemForm& form, const Alphabet& alphabet, const Budget& budget)
+        : language_(language),
+          set_(std::move(set)),
+          question_(question),
+          form_(form),
+          alphabet_(alphabet),
+          budget_(budget),
+          size_(set_.has.size()) {
+        least_ = 1;
+        while (!set_.contains(least_)) ++least_;
+        refutation_.language = language;
+        refutation_.family = question.family;
+        refutation_.period = set_.period;
+    }
+
+    Answer judge() {
+        const bool erases = set_.contains(0) && !form_.propagating;
+        if (form_.tables && !(set_.contains(0) && form_.propagating)) {
+            // One table is the smaller system.
+            SystemForm one = form_;
+            one.tables = false;
+            const Answer found =
+                OneLetterJudge(language_, set_, question_, one, alphabet_, budget_).judge();
+            if (found.truth == Truth::proved) return found;
+        }
+        if (set_.contains(0) && form_.propagating) {
+            make_or_refute(0);
+            make_or_refute(least_);
+            return refuted(refutation_);
+        }
+        if (form_.tables) return with_tables(erases);
+        return erases ? by_sums() : without_tables();
+    }
+
+private:
+    /// Of the classes, those of the numbers that a table may have.
+    using Set = std::vector<char>;
+    using Case = steps::ByLengths::Case;
+    using Rest = std::pair<std::size_t, std::size_t>;  // and the modulus
+    struct Frame {
+        std::size_t modulus = 0, rest = 0;
+    };
+    enum class Reaches { all, none, some };
+
+    // --- Sets of classes ---
+
+    Set whole(const Frame& frame) const {
+        Set set(size_, 0);
+        for (std::size_t n = 1; n < size_; ++n) set[n] = n % frame.modulus == frame.rest;
+        return set;
+    }
+    bool is_endless(const Set& set) const {
+        return std::find(set.begin() + static_cast<std::ptrdiff_t>(set_.tail), set.end(), 1) !=
+               set.end();
+    }
+    LengthTable table_of(const Set& set) const {
+        LengthTable table;
+        for (std::size_t n = 1; n < size_; ++n)
+            if (set[n]) (n < set_.tail ? table.lengths : table.endless).push_back(n);
+        table.step = table.endless.empty() ? 0 : set_.period;
+        return table;
+    }
+    /// Its numbers up to a bound.
+    LengthTable table_of(const Set& set, std::size_t longest) const {
+        LengthTable table;
+        for (std::size_t n = 1; n <= longest; ++n)
+            if (set[set_.class_of(n)]) table.lengths.push_back(n);
+        return table;
+    }
+    static std::size_t least_of(const Set& set) {
+        return static_cast<std::size_t>(std::find(set.begin(), set.end(), 1) - set.begin());
+    }
+
+    /// Whether rests of S, each multiplied by the rest of the frame, are rests of S with all that differ by the modulus.
+    bool is_possible(const Frame& frame) const {
+        for (std::size_t r = 0; r < set_.period; ++r)
+            if (set_.contains_long(r))
+                for (std::size_t i = 0; i < set_.period; i += frame.modulus)
+                    if (!set_.contains_long(r * frame.rest + i)) return false;
+        return true;
+    }
+
+    /// The possible frames that are not within others; without tables those with all rests.
+    std::vector<Frame> frames() const {
+        std::vector<Frame> found;
+        for (std::size_t modulus = 1; modulus <= set_.period; ++modulus) {
+            if (set_.period % modulus != 0 || (!form_.tables && modulus < set_.period)) continue;
+            for (std::size_t rest = 0; rest < modulus; ++rest) {
+                const Frame frame{modulus, rest};
+                if (!is_possible(frame)) continue;
+                if (!form_.tables && !is_onto(rest)) continue;
+                if (std::none_of(found.begin(), found.end(), [&](const Frame& other) {
+                        return modulus % other.modulus == 0 && rest % other.modulus == other.rest;
+                    }))
+                    found.push_back(frame);
+            }
+        }
+        return found;
+    }
+    bool is_onto(std::size_t factor) const {
+        std::set<std::size_t> before, after;
+        for (std::size_t r = 0; r < set_.period; ++r)
+            if (set_.contains_long(r)) {
+                before.insert(r);
+                after.insert(r * factor % set_.period);
+            }
+        return before == after;
+    }
+
+    /// Numbers of the set, as many as a length of S says, whose sum is not in S; none if the set is closed. Of a possible frame sums for
+    /// long lengths are in S.
+    std::vector<std::size_t> leaving(const Set& set) const {
+        budget_.check();
+        for (std::size_t x = 1; x < set_.tail; ++x)
+            if (set_.contains(x))
+                for (std::size_t n = 1; n < size_; ++n)
+                    if (set[n] && !set_.contains(x * n)) return std::vector(x, n);
+        std::vector<Numbers> sums(1, Numbers(size_ - 1));
+        sums[0].set(0);
+        for (std::size_t x = 1; x < set_.tail; ++x) {
+            Numbers next(2 * size_), wide(2 * size_), classes(size_ - 1);
+            for (std::size_t n = 0; n < size_; ++n)
+                if (sums.back().at(n)) wide.set(n);
+            for (std::size_t n = 1; n < size_; ++n)
+                if (set[n]) next.add(wide, n);
+            for (std::size_t n = 0; n < next.size(); ++n)
+                if (next.at(n)) classes.set(set_.class_of(n));
+            sums.push_back(std::move(classes));
+            if (!set_.contains(x)) continue;
+            for (std::size_t n = 0; n < size_; ++n)
+                if (sums.back().at(n) && !set_.contains(n)) return summands(set, sums, n);
+        }
+        return {};
+    }
+
+    std::vector<std::size_t> summands(const Set& set, const std::vector<Numbers>& sums,
+                                      std::size_t sum) const {
+        std::vector<std::size_t> found;
+        for (std::size_t x = sums.size() - 1; x > 0; --x) {
+            const auto step = [&] {
+                for (std::size_t n = 1; n < size_; ++n)
+                    for (std::size_t before = 0; set[n] && before < size_; ++before)
+                        if (sums[x - 1].at(before) && set_.class_of(before + n) == sum) {
+                            found.push_back(n);
+                            sum = before;
+                            return;
+                        }
+            };
+            step();
+        }
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    // --- What finite tables make of long lengths ---
+
+    bool divides_power(std::size_t number, std::size_t of) const {
+        for (std::size_t shared = std::gcd(number, of); shared > 1; shared = std::gcd(number, of))
+            number /= shared;
+        return number == 1;
+    }
+    /// The greatest divisor of which all prime divisors divide the period.
+    std::size_t periodic_part(std::size_t number) const {
+        std::size_t rest = number;
+        for (std::size_t shared = std::gcd(rest, set_.period); shared > 1;
+             shared = std::gcd(rest, set_.period))
+            rest /= shared;
+        return number / rest;
+    }
+
+    /// The modulus on which it depends whether the set makes long lengths of long shorter ones; 0 if it does not make those without
+    /// other small prime divisors than those of the period.
+    std::size_t modulus_of(const Set& set) const {
+        std::size_t shared = is_endless(set) ? set_.period : 0,
+                    differences = is_endless(set) ? set_.period : 0;
+        const std::size_t least = least_of(set);
+        if (least == set.size()) return 0;
+        for (std::size_t n = least; n < size_; ++n)
+            if (set[n]) {
+                shared = std::gcd(shared, n);
+                differences = std::gcd(differences, n - least);
+            }
+        if (!divides_power(shared, set_.period)) return 0;
+        if (differences == 0 && least == 1) return 0;  // it makes each length of itself only
+        return differences == 0 ? least * set_.period : periodic_part(differences);
+    }
+
+    Reaches reaches(const Set& set, const Rest& rest) const {
+        const std::size_t modulus = modulus_of(set);
+        if (modulus == 0) return Reaches::none;
+        const std::size_t k = least_of(set), known = std::gcd(rest.second, modulus);
+        const bool one = !is_endless(set) && std::count(set.begin(), set.end(), 1) == 1;
+        // A long x with x k = s modulo what the set and the rest have in common; of one number, modulo all.
+        bool some = false;
+        const std::size_t same = one ? rest.second : known, all = std::lcm(set_.period, same);
+        if (one && rest.second % modulus == 0)
+            some = rest.first % k == 0 && set_.contains_long(rest.first / k);
+        else
+            for (std::size_t x = 0; x < all && !some; ++x)
+                some = set_.contains_long(x) && x * k % same == rest.first % same;
+        if (!some) return Reaches::none;
+        return rest.second % modulus == 0 ? Reaches::all : Reaches::some;
+    }
+
+    /// The next prime by which the modulus has to be multiplied to tell.
+    static std::size_t prime_to_tell(std::size_t modulus, std::size_t known) {
+        const std::size_t left = modulus / std::gcd(modulus, known);
+        std::size_t prime = 2;
+        while (left % prime != 0) ++prime;
+        return prime;
+    }
+
+    /// A rest of long lengths that the set does not make of long ones.
+    std::optional<Rest> unreached(const Set& set) const {
+        std::vector<Rest> open;
+        for (std::size_t r = 0; r < set_.period; ++r)
+            if (set_.contains_long(r)) open.emplace_back(r, set_.period);
+        while (!open.empty()) {
+            budget_.check();
+            const Rest rest = open.back();
+            open.pop_back();
+            const Reaches found = reaches(set, rest);
+            if (found == Reaches::none) return rest;
+            if (found == Reaches::all) continue;
+            const std::size_t prime = prime_to_tell(modulus_of(set), rest.second);
+            for (std::size_t i = 0; i < prime; ++i)
+                open.emplace_back(rest.first + i * rest.second, rest.second * prime);
+        }
+        return std::nullopt;
+    }
+
+    // --- The search by cases ---
+
+    /// Why no closed part of a set is enough: a length that it does not make of a shorter one, or a rest of long lengths that it does not
+    /// make of long ones. Nothing if it may be enough.
+    struct Goal {
+        std::optional<std::size_t> length = {};
+        std::optional<Rest> rest = {};
+
+        bool is_all() const { return !length && !rest; }
+    };
+    std::optional<Goal> missing(const Set& set, const Goal& goal, bool is_closed) const {
+        if (goal.length) {
+            if (from_shorter(set_, table_of(set), *goal.length, 0, budget_).at(*goal.length))
+                return std::nullopt;
+            return goal;
+        }
+        if (goal.rest) {
+            if (reaches(set, *goal.rest) != Reaches::none) return std::nullopt;
+            return goal;
+        }
+        const std::size_t longest = size_ + size_ * std::min(least_of(set), size_);
+        const Numbers made = from_shorter(set_, table_of(set), longest, 0, budget_);
+        for (std::size_t s = least_ + 1; s <= longest; ++s)
+            if (set_.contains(s) && !made.at(s)) return Goal{s, {}};
+        if (!is_closed || is_endless(set)) return std::nullopt;
+        if (const auto rest = unreached(set)) return Goal{{}, rest};
+        // The set is the table.
+        for (std::size_t most = 1;; most += size_) {
+            const auto found =
+                length_induction(set_, {table_of(set)}, most, longest_looked_at, budget_);
+            if (!found && most < longest_looked_at) continue;
+            if (!found) throw too_long();
+            for (const std::size_t s : found->base)
+                if (s > least_) return Goal{s, {}};
+            return std::nullopt;
+        }
+    }
+
+    /// A closed part of the set that is enough for the goal and has the numbers `kept`; if there is none, the cases that show it.
+    std::optional<Set> closed_part(const Set& set, const Set& kept, const Goal& goal, Case& found) {
+        if (++refutation_.size > most_cases)
+            throw BoundReached(Bound::method, "the lengths of tables make more than " +
+                                                  std::to_string(most_cases) + " cases");
+        const auto end_with = [&](const Goal& missed) {
+            found.length = missed.length;
+            found.rest = missed.rest;
+        };
+        if (const auto missed = missing(set, goal, false)) {
+            end_with(*missed);
+            return std::nullopt;
+        }
+        found.sum = leaving(set);
+        if (found.sum.empty()) {
+            const auto missed = goal.is_all() ? missing(set, goal, true) : std::nullopt;
+            if (!missed) return set;
+            end_with(*missed);
+            return std::nullopt;
+        }
+        Set keeping = kept;
+        for (std::size_t i = 0; i < found.sum.size(); ++i) {
+            const std::size_t n = found.sum[i];
+            if (keeping[n]) continue;
+            Set without = set;
+            without[n] = 0;
+            found.cases.emplace_back();
+            if (auto part = closed_part(without, keeping, goal, found.cases.back())) return part;
+            keeping[n] = 1;
+        }
+        return std::nullopt;
+    }
+
+    /// A closed set of classes that is enough for the goal; if there is none, the cases are added to the refutation.
+    std::optional<Set> closed_set(const Goal& goal) {
+        steps::ByLengths::Target target{goal.length, goal.rest, {}};
+        for (const Frame& frame : frames()) {
+            target.frames.push_back({frame.modulus, frame.rest, {}});
+            if (auto found =
+                    closed_part(whole(frame), Set(size_, 0), goal, target.frames.back().root)) {
+                for (std::size_t n = 1; form_.tables && n < size_; ++n) {
+                    if ((*found)[n] || n % frame.modulus != frame.rest) continue;
+                    (*found)[n] = 1;
+                    if (!leaving(*found).empty()) (*found)[n] = 0;
+                }
+                return found;
+            }
+        }
+        refutation_.targets.push_back(std::move(target));
+        return std::nullopt;
+    }
+
+    // --- The three kinds of systems ---
+
+    /// One table that erases: {m} and a set that is closed under sums.
+    Answer by_sums() {
+        const auto leaving_sum = [&](std::size_t axiom) -> std::optional<Rest> {
+            const auto in = [&](std::size_t n) { return n != axiom && set_.contains(n); };
+            // Longer ones make no other sums.
+            const std::size_t longest = size_ + set_.period + axiom;
+            for (std::size_t u = 1; u <= longest; ++u)
+                for (std::size_t v = 1; v <= u && in(u); ++v)
+                    if (in(v) && !in(u + v)) return Rest{v, u};
+            return std::nullopt;
+        };
+        const auto all = leaving_sum(0);
+        if (!all) return by_generators(0);
+        refutation_.sums.push_back(*all);
+        for (const std::size_t axiom : {all->first, all->second}) {
+            const auto found = leaving_sum(axiom);
+            if (!found) return by_generators(axiom);
+            refutation_.sums.push_back(*found);
+        }
+        return refuted(refutation_);
+    }
+
+    Answer by_generators(std::size_t other) {
+        const auto in = [&](std::size_t n) { return n > 0 && n != other && set_.contains(n); };
+        LengthTable table{{0}, {}, 0};
+        std::size_t least = 1;
+        while (!in(least)) ++least;
+        for (std::size_t n = 1; n <= size_ + other + set_.period * least; ++n) {
+            bool is_sum = false;
+            for (std::size_t u = 1; u <= n / 2 && !is_sum; ++u) is_sum = in(u) && in(n - u);
+            if (in(n) && !is_sum) table.lengths.push_back(n);
+        }
+        if (table.lengths.back() == 1) table.lengths.push_back(2);
+        return generated({table}, other == 0 ? least : other);
+    }
+
+    /// One table that does not erase.
+    Answer without_tables() {
+        const auto set = closed_set({});
+        if (!set) return refuted(refutation_);
+        return generated_by_sets({*set}, {}, least_);
+    }
+
+    bool is_multiplied(std::size_t length) const {
+        for (std::size_t i = 1; i <= set_.tail + set_.period; ++i)
+            if (!set_.contains(i * length)) return false;
+        return true;
+    }
+
+    /// Of each length whose multiples are in S, all lengths that such a table makes; and the table that makes 0 only.
+    std::vector<LengthTable> erasing_tables() const {
+        std::vector<LengthTable> found{{{0}, {}, 0}};
+        for (std::size_t n = 1; n < set_.tail; ++n)
+            if (is_multiplied(n)) found.push_back({{0, n}, {}, 0});
+        for (std::size_t d = 1; d <= set_.period; ++d) {
+            const std::size_t first = (std::max<std::size_t>(set_.tail, 1) + d - 1) / d * d;
+            bool is_in = set_.period % d == 0;
+            for (std::size_t n = first; n < first + set_.period && is_in; n += d)
+                is_in = set_.contains(n);
+            if (!is_in) continue;
+            found.push_back({{0}, {}, 0});
+            for (std::size_t n = first; n < 2 * first; n += d) found.back().lengths.push_back(n);
+        }
+        return found;
+    }
+
+    /// Whether some table makes the length of a shorter one.
+    bool is_made(std::size_t length) const {
+        return std::any_of(sets_.begin(), sets_.end(), [&](const Set& set) {
+            return from_shorter(set_, table_of(set), length, 0, budget_).at(length);
+        });
+    }
+    bool make_or_refute(std::size_t length) {
+        auto set = closed_set({length, {}});
+        if (!set) return false;
+        sets_.push_back(std::move(*set));
+        return true;
+    }
+
+    /// Whether closed sets make the long lengths with that rest of long ones. If not, the rest of the last target is one of which no such length is made.
+    bool make_or_refute(const Rest& rest) {
+        std::optional<std::size_t> modulus;
+        for (const Set& set : sets_) {
+            const Reaches found = reaches(set, rest);
+            if (found == Reaches::all) return true;
+            if (found == Reaches::some) modulus = modulus_of(set);
+        }
+        if (!modulus) {
+            auto set = closed_set({{}, rest});
+            if (!set) return false;
+            sets_.push_back(std::move(*set));
+            return make_or_refute(rest);
+        }
+        const std::size_t prime = prime_to_tell(*modulus, rest.second);
+        for (std::size_t i = 0; i < prime; ++i)
+            if (!make_or_refute(Rest{rest.first + i * rest.second, rest.second * prime}))
+                return false;
+        return true;
+    }
+
+    Answer with_tables(bool erases) {
+        std::vector<std::size_t> alone;  // not made of shorter ones
+        const auto is_free = [&](std::size_t n) { return erases && is_multiplied(n); };
+        const auto must_be_made = [&](std::size_t s) {
+            if (!set_.contains(s) || is_free(s) || is_made(s) ||
+                std::find(alone.begin(), alone.end(), s) != alone.end() || make_or_refute(s))
+                return true;
+            alone.push_back(s);
+            return alone.size() < 2;
+        };
+        for (std::size_t s = 1; s <= 2 * size_; ++s)
+            if (!must_be_made(s)) return refuted(refutation_);
+        for (std::size_t r = 0; r < set_.period; ++r) {
+            if (!set_.contains_long(r) || is_free(r + set_.tail * set_.period)) continue;
+            if (make_or_refute(Rest{r, set_.period})) continue;
+            refutation_.targets.erase(refutation_.targets.begin(), refutation_.targets.end() - 1);
+            return refuted(refutation_);
+        }
+        // Now all long lengths are made, from some length on.
+        std::vector<LengthTable> erasing;
+        if (erases) erasing = erasing_tables();
+        for (std::size_t longest = size_ + set_.period; longest <= longest_looked_at;) {
+            std::vector<LengthTable> tables = erasing;
+            for (const Set& set : sets_) tables.push_back(table_of(set, longest));
+            const auto found =
+                length_induction(set_, tables, 4 * size_ + 16, longest_looked_at, budget_);
+            bool is_longer = !found;
+            const std::size_t before = sets_.size();
+            for (const std::size_t s : found ? found->base : std::vector<std::size_t>{}) {
+                if (s == 0 || is_free(s) || (!alone.empty() && s == alone.front())) continue;
+                is_longer = is_longer || is_made(s);
+                if (!must_be_made(s)) return refuted(refutation_);
+            }
+            if (is_longer) {
+                longest *= 2;
+            } else if (sets_.size() == before) {
+                return generated_by_sets(sets_, erasing, alone.empty() ? least_ : alone.front());
+            }
+        }
+        throw too_long();
+    }
+
+    static BoundReached too_long() {
+        return BoundReached(Bound::method,
+                            "lengths are looked at up to " + std::to_string(longest_looked_at));
+    }
+
+    // --- Systems ---
+
+    Answer generated_by_sets(const std::vector<Set>& sets, const std::vector<LengthTable>& erasing,
+                             std::size_t axiom) {
+        for (std::size_t longest = size_ + set_.period; longest <= longest_looked_at;
+             longest *= 2) {
+            std::vector<LengthTable> tables = erasing;
+            for (const Set& set : sets) tables.push_back(table_of(set, longest));
+            if (generates(tables, axiom, longest_looked_at))
+                return generated(std::move(tables), axiom);
+        }
+        throw too_long();
+    }
+
+    bool generates(const std::vector<LengthTable>& tables, std::size_t axiom, std::size_t limit) {
+        const auto found = length_induction(set_, tables, most_in_base, limit, budget_);
+        if (!found) return false;
+        from_ = found->from;
+        std::set<std::size_t> missed(found->base.begin(), found->base.end());
+        missed.erase(axiom);
+        if (missed.empty()) return true;
+        // What comes of longer ones comes by erasing, so of the first ones.
+        const std::size_t longest = std::max(*missed.rbegin(), axiom) + size_;
+        std::set<std::size_t> reached{axiom};
+        std::vector<std::size_t> open{axiom};
+        while (!open.empty() && !missed.empty()) {
+            const std::size_t x = open.back();
+            open.pop_back();
+            missed.erase(x);
+            for (const LengthTable& table : tables) {
+                Numbers sums(longest);
+                sums.set(0);
+                for (std::size_t i = 0; i < x; ++i) {
+                    Numbers next(longest);
+                    for (const std::size_t k : table.lengths)
+                        if (k <= longest) next.add(sums, k);
+                    sums = std::move(next);
+                }
+                for (std::size_t s = 0; s <= longest; ++s)
+                    if (sums.at(s) && reached.insert(s).second) open.push_back(s);
+            }
+        }
+        return missed.empty();
+    }
+
+    Answer generated(std::vector<LengthTable> tables, std::size_t axiom) {
+        if (!generates(tables, axiom, longest_looked_at)) throw too_long();
+        const std::size_t limit = 4 * from_ + 200;
+        const auto shorter = [&](std::size_t longest) {
+            std::vector<LengthTable> some;
+            for (const LengthTable& table : tables) {
+                some.push_back(table);
+                std::erase_if(some.back().lengths, [&](std::size_t k) { return k > longest; });
+                if (some.back().lengths.empty()) some.pop_back();
+            }
+            return some;
+        };
+        std::size_t low = 0, high = 0;
+        for (const LengthTable& table : tables) high = std::max(high, table.lengths.back());
+        while (high - low > 1) {
+            const std::size_t middle = low + (high - low) / 2;
+            (generates(shorter(middle), axiom, limit) ? high : low) = middle;
+        }
+        tables = shorter(high);
+        for (std::size_t t = tables.size(); question_.small && t-- > 0;) {
+            std::vector<LengthTable> some = tables;
+            some.erase(some.begin() + static_cast<std::ptrdiff_t>(t));
+            if (!some.empty() && generates(some, axiom, limit)) tables = std::move(some);
+        }
+        for (std::size_t t = 0; question_.small && t < tables.size(); ++t)
+            for (std::size_t i = tables[t].lengths.size(); i-- > 0;) {
+                std::vector<LengthTable> some = tables;
+                some[t].lengths.erase(some[t].lengths.begin() + static_cast<std::ptrdiff_t>(i));
+                if (!some[t].lengths.empty() && generates(some, axiom, limit))
+                    tables = std::move(some);
+            }
+        return by_system(tables, axiom);
+    }
+
+    Answer by_system(const std::vector<LengthTable>& tables, std::size_t axiom) const {
+        ET0L system{std::make_shared<const Alphabet>(alphabet_),
+                    Word(axiom, set_.letter),
+                    {},
+                    std::vector<char>(alphabet_.size(), 1),
+                    {},
+                    {}};
+        for (const LengthTable& table : tables) {
+            Table& rules = system.tables.emplace_back(alphabet_.size());
+            for (Symbol a = 0; a < rules.size(); ++a) rules[a] = {{a}};
+            rules[set_.letter].clear();
+            for (const std::size_t length : table.lengths)
+                rules[set_.letter].push_back(Word(length, set_.letter));
+            system.table_names.push_back(std::to_string(system.tables.size()));
+        }
+        const auto shared = std::make_shared<const SourceSystem>(
+            SourceSystem{"G", std::move(system), std::nullopt, {}, {}});
+        const Answer equal =
+            judge_equality(generated_language(shared), language_, alphabet_, budget_);
+        if (equal.truth != Truth::proved)
+            return undecided("a system was found, but not that it generates the language");
+        return proved(steps::GeneratedBy{shared, question_.family, language_, equal.proof, true});
+    }
+
+    static constexpr std::size_t most_cases = 100'000, longest_looked_at = 20'000,
+                                 most_in_base = 16;
+
+    const Language& language_;
+    LengthSet set_;
+    const FamilyQuestion& question_;
+    SystemForm form_;
+    const Alphabet& alphabet_;
+    const Budget& budget_;
+    std::size_t size_;   // of the classes
+    std::size_t least_;  // length that is not 0
+    std::size_t from_ = 0;
+    std::vector<Set> sets_;  // closed
+    steps::ByLengths refutation_;
+};
+
 class RegularFamilyJudge {
 public:
     RegularFamilyJudge(const Language& language, const RegularLanguage& value,
@@ -770,6 +1387,9 @@ Answer judge_regular_family(const Language& language, const RegularLanguage& val
         if (auto found =
                 beyond_deterministic(language, value, question.family, form.tables, budget))
             return *found;
+    if (auto lengths = lengths_of(value); lengths && !is_finite(value))
+        return OneLetterJudge(language, *std::move(lengths), question, form, alphabet, budget)
+            .judge();
     return RegularFamilyJudge(language, value, question, form, alphabet, budget).judge();
 }
 

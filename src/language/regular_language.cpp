@@ -1,7 +1,10 @@
 #include "language/detail/regular.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
+
+#include "language/detail/lengths.hpp"
 
 // Operations on regular languages, their words, and a proof by induction that a regular language is within L(G).
 //
@@ -12,6 +15,9 @@
 // Words are found through the distances of states to an accepting one: a shortest word follows decreasing
 // distances, words up to a length are extended only while the distance still fits, and a language is finite if
 // its useful states have no cycle, which also gives the order in which words are counted.
+//
+// Over one letter a word is its length, and the automaton a tail and a cycle. There the induction knows more: a step with rules that erase
+// counts too, if only the length before was a smaller one.
 
 namespace algae {
 
@@ -397,6 +403,151 @@ std::optional<RegularInduction> regular_induction(const RegularLanguage& languag
         if (auto found = induction_by(counted, once, language, tables, most, budget)) return found;
     }
     return std::nullopt;
+}
+
+std::optional<LengthSet> lengths_of(const RegularLanguage& language) {
+    const Dfa& automaton = language.automaton();
+    const std::vector<std::size_t> distance = distances(automaton);
+    const auto is_useful = [&](std::size_t s) { return distance[s] < automaton.states(); };
+    std::optional<Symbol> letter;
+    for (std::size_t s = 0; s < automaton.states(); ++s)
+        for (Symbol a = 0; a < automaton.letters; ++a) {
+            if (!is_useful(s) || !is_useful(automaton.step(s, a)) || letter == a) continue;
+            if (letter) return std::nullopt;
+            letter = a;
+        }
+    if (!letter) return std::nullopt;
+    LengthSet found{*letter, 0, 1, {}};
+    std::vector<std::size_t> first(automaton.states(), automaton.states());
+    for (std::size_t s = automaton.initial;; s = automaton.step(s, *letter)) {
+        if (first[s] < automaton.states()) {
+            found.tail = first[s];
+            found.period = found.has.size() - first[s];
+            return found;
+        }
+        first[s] = found.has.size();
+        found.has.push_back(automaton.accepting[s]);
+    }
+}
+
+Numbers from_shorter(const LengthSet& set, const LengthTable& table, std::size_t limit,
+                     std::size_t least, const Budget& budget) {
+    Numbers found(limit), sums(limit);
+    sums.set(0);
+    for (std::size_t x = 1; x < limit; ++x) {
+        budget.check();
+        Numbers next(limit);
+        if (table.step > 0) {
+            for (const std::size_t k : table.endless)
+                if (k <= limit) next.add(sums, k);
+            for (std::size_t step = table.step; step <= limit; step *= 2)
+                next.add(Numbers(next), step);
+        }
+        for (const std::size_t k : table.lengths)
+            if (k <= limit) next.add(sums, k);
+        if (next.empty()) break;
+        const bool is_new = next != sums;
+        sums = std::move(next);
+        if (x < least || !set.contains(x)) continue;
+        Numbers longer = sums;
+        longer.clear_up_to(x);
+        found.add(longer);
+        if (!is_new) break;  // nor are there others by more letters
+    }
+    return found;
+}
+
+namespace {
+
+/// Of a table the first lengths that it makes of shorter ones from the tail on, by their rest when divided by the period times its least
+/// length that is not 0.
+struct FirstMade {
+    std::size_t table = 0;
+    std::size_t modulus = 0;
+    std::vector<std::size_t> first;  // `never` where there is none
+};
+
+/// By rest when divided by the modulus, the first length from which on all are made by the tables; 0 where none is in the set.
+std::vector<std::size_t> first_made(const LengthSet& set, const std::vector<FirstMade>& tables,
+                                    std::size_t modulus, std::size_t never) {
+    std::vector<std::size_t> first(modulus, 0);
+    for (std::size_t rest = 0; rest < modulus; ++rest) {
+        if (!set.contains_long(rest)) continue;
+        first[rest] = never;
+        for (const FirstMade& table : tables)
+            first[rest] = std::min(first[rest], table.first[rest % table.modulus]);
+    }
+    return first;
+}
+
+/// From where on some of the tables make all lengths of the set, taken as long as they make more; the base is left to the caller.
+std::optional<LengthInduction> made_from(const LengthSet& set, std::vector<FirstMade> tables,
+                                         std::size_t never) {
+    constexpr std::size_t most = 200'000;
+    std::sort(tables.begin(), tables.end(), [](const FirstMade& one, const FirstMade& other) {
+        return one.modulus < other.modulus;
+    });
+    std::vector<FirstMade> used;
+    std::size_t modulus = set.period;
+    std::vector<std::size_t> first = first_made(set, used, modulus, never);
+    for (FirstMade& table : tables) {
+        const std::size_t next = std::lcm(modulus, table.modulus);
+        if (next > most) continue;
+        used.push_back(std::move(table));
+        std::vector<std::size_t> with = first_made(set, used, next, never);
+        const auto left = [&](const std::vector<std::size_t>& in) {
+            return static_cast<std::size_t>(std::count(in.begin(), in.end(), never));
+        };
+        if (left(with) == left(first) * (next / modulus)) {
+            used.pop_back();
+            continue;
+        }
+        modulus = next;
+        first = std::move(with);
+        if (left(first) > 0) continue;
+        LengthInduction found{
+            {}, std::max(set.tail, *std::max_element(first.begin(), first.end())), {}};
+        for (const FirstMade& each : used) found.tables.push_back(each.table);
+        return found;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<LengthInduction> length_induction(const LengthSet& set,
+                                                const std::vector<LengthTable>& tables,
+                                                std::size_t most, std::size_t limit,
+                                                const Budget& budget) {
+    for (std::size_t reach = std::min(2 * set.has.size() + 8, limit);;
+         reach = std::min(2 * reach, limit)) {
+        Numbers made(reach);
+        std::vector<FirstMade> late;
+        for (std::size_t t = 0; t < tables.size(); ++t) {
+            const LengthTable& table = tables[t];
+            made.add(from_shorter(set, table, reach, 0, budget));
+            const auto least = std::find_if(table.lengths.begin(), table.lengths.end(),
+                                            [](std::size_t k) { return k > 0; });
+            if (least == table.lengths.end()) continue;
+            FirstMade first{t, set.period * *least, {}};
+            if (first.modulus > reach) continue;
+            const Numbers some =
+                from_shorter(set, table, reach, std::max<std::size_t>(set.tail, 1), budget);
+            first.first.assign(first.modulus, reach + 1);
+            for (std::size_t s = reach + 1; s-- > 0;)
+                if (some.at(s)) first.first[s % first.modulus] = s;
+            late.push_back(std::move(first));
+        }
+        std::vector<std::size_t> base;
+        for (std::size_t s = 0; s <= reach; ++s)
+            if (set.contains(s) && !made.at(s)) base.push_back(s);
+        if (base.size() > most) return std::nullopt;
+        if (auto found = made_from(set, std::move(late), reach + 1)) {
+            found->base = std::move(base);
+            return found;
+        }
+        if (reach == limit) return std::nullopt;
+    }
 }
 
 }  // namespace algae

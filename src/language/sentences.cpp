@@ -497,6 +497,16 @@ public:
     void operator()(const steps::ByInduction& said) {
         for (const Answer& member : said.members) add_new(of(member));
         const std::string other = "Every other word of " + language(said.left);
+        if (said.from) {
+            say(other +
+                " comes in one step from a shorter word of it, by induction on the length. "
+                "Up to the length " +
+                number(*said.from) + " this is worked out for each.");
+            return say(
+                "If a table makes n letters of x letters, it makes n + p k of x + p, where p is "
+                "the period of the lengths and k the length of a successor; so it is true of "
+                "all.");
+        }
         if (said.counted.empty())
             return say(other +
                        " comes in one step from a shorter word of it, by induction on the length: "
@@ -825,6 +835,86 @@ public:
             ", which is not in the language, by " + used +
             (said.cases.size() == 1 ? ", so that class is not used."
                                     : ", so one of these classes is not used:"));
+        for (const auto& each : said.cases)
+            add_case(each, said.cases.size() == 1 ? indent : indent + "  ", left);
+    }
+    void operator()(const steps::ByLengths& said) {
+        const std::string name = language(said.language);
+        say("Suppose that a system of the family " + said.family + " generates " + name +
+            ". It has one letter, and a step takes x letters to a sum of x lengths of successors.");
+        if (!said.sums.empty()) return sums_of_lengths(said, name);
+        const std::string period = number(said.period);
+        say("From some length on, the lengths of " + name + " have the least period " + period +
+            ". Of each table that does not erase, the lengths have one rest when they are divided "
+            "by "
+            "a divisor d of the period, and their products with long lengths, and all that differ "
+            "by d, are lengths.");
+        std::size_t left = steps::ByLengths::most_shown;
+        for (const auto& target : said.targets) {
+            if (target.length)
+                say("No such table makes " + several(*target.length, "letter") +
+                    " of fewer letters, and no table that erases makes them:");
+            else if (target.rest)
+                say("By finitely many such tables " + long_lengths(*target.rest) +
+                    " do not come from long ones, nor from tables that erase:");
+            else
+                say("With one table d is the period, as all long lengths come from long ones:");
+            if (target.frames.empty()) say("  No rest is possible.");
+            for (const auto& frame : target.frames) {
+                say("  Let the rest for d = " + number(frame.modulus) + " be " +
+                    number(frame.rest) + ".");
+                add_case(frame.root, "    ", left);
+            }
+        }
+        if (said.size > steps::ByLengths::most_shown)
+            say("These are the first of " + number(said.size) + " cases.");
+        if (said.targets.size() > 1)
+            say("Only one of the two can be the axiom, so " + name + " is not " + said.family +
+                ".");
+        else
+            say("So " + name + " is not " + said.family + ".");
+    }
+    std::string long_lengths(const steps::ByLengths::Rest& rest) {
+        return "the long lengths with rest " + number(rest.first) + " modulo " +
+               number(rest.second);
+    }
+    void sums_of_lengths(const steps::ByLengths& said, const std::string& name) {
+        say("It has the empty word, so a rule erases: a sum of lengths of successors comes of "
+            "every "
+            "longer word. So " +
+            name + " has the lengths of a set that is closed under sums, and of the axiom.");
+        const auto sum = [&](std::size_t i) {
+            return number(said.sums[i].first) + " + " + number(said.sums[i].second);
+        };
+        say("But " + sum(0) + " is not a length of " + name + ". Without the length " +
+            number(said.sums[0].first) + " " + sum(1) + " leads out; without " +
+            number(said.sums[0].second) + " " + sum(2) + " does.");
+        say("So " + name + " is not " + said.family + ".");
+    }
+    void add_case(const steps::ByLengths::Case& said, const std::string& indent,
+                  std::size_t& left) {
+        if (left == 0) return;
+        --left;
+        if (said.length)
+            return say(indent + "By the lengths that are left " + number(*said.length) +
+                       " does not come from a shorter one.");
+        if (said.rest)
+            return say(indent + "By the lengths that are left " + long_lengths(*said.rest) +
+                       " do not come from long ones.");
+        std::map<std::size_t, std::size_t> counts;
+        std::size_t total = 0;
+        for (const std::size_t n : said.sum) {
+            ++counts[n];
+            total += n;
+        }
+        const std::string used = joined(counts, " + ", [](const auto& of) {
+            return of.second == 1 ? number(of.first) : number(of.second) + " x " + number(of.first);
+        });
+        say(indent + number(said.sum.size()) + " letters become " + used + " = " + number(total) +
+            ", which is not a length" +
+            (said.cases.empty()       ? ", and none of these can be left out."
+             : said.cases.size() == 1 ? ", so one of these is left out."
+                                      : ", so one of these is left out:"));
         for (const auto& each : said.cases)
             add_case(each, said.cases.size() == 1 ? indent : indent + "  ", left);
     }

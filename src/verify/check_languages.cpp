@@ -487,6 +487,7 @@ void check_induction(const Obligation& task) {
             each.refuse("the word is not in the right language");
     }
     if (right->system->context) return check_context_induction(task, words);
+    if (task.proof.has("from")) return check_length_induction(task, words);
     Derivatives derivatives(task.alphabet(), task.budget);
     Language all = words_of(std::move(words));
     for (const System::Successors& table : right->system->tables)

@@ -20,6 +20,10 @@
 // ends where a letter has no class left, or where two words of the language have no ancestor in common: no word of the language
 // derives both. With tables, of which each may use another map, the two words have none by any of the maps that are left.
 //
+// Over one letter a system makes of a word of x letters those of all sums of x lengths of successors. The proof by `lengths` shows that tables which
+// stay within the lengths of the language do not make some of them; it is a tree of cases again, in which sums that lead out of the
+// lengths take numbers from the tables. The theorem is in regular_family.cpp of the room language.
+//
 // The other kinds are theorems about deterministic systems and about languages with few words, whose conditions are checked.
 
 namespace algae::verify {
@@ -323,6 +327,379 @@ private:
 void check_classes(const Obligation& task) {
     must_be_one_of(task, {"0L", "P0L", "D0L", "PD0L", "T0L", "PT0L", "DT0L", "PDT0L"});
     ClassCheck(task, task.statement.family.find('T') != std::string::npos).check();
+}
+
+namespace {
+
+constexpr std::uint64_t longest_length = 20'000, greatest_modulus = 1'000'000;
+
+/// The lengths of the words of an infinite regular language over one letter.
+struct PeriodicLengths {
+    Symbol letter = 0;
+    std::size_t tail = 0, period = 1;
+    std::vector<char> has;  // by length, below tail + period
+
+    std::size_t class_of(std::size_t n) const {
+        while (n >= has.size()) n -= (n - tail) / period * period;
+        return n;
+    }
+    bool in(std::size_t n) const { return has[class_of(n)] != 0; }
+    /// Of long lengths with this rest.
+    bool in_long(std::size_t rest) const { return in(tail * period + rest % period); }
+};
+
+PeriodicLengths lengths_of(const Obligation& task) {
+    const Acceptor automaton = acceptor(task);
+    if (automaton.letters.size() != 1) task.refuse("the words are not over one letter");
+    PeriodicLengths found;
+    found.letter = automaton.letters.front();
+    std::map<std::size_t, std::size_t> first;  // by state, the least length that leads there
+    std::size_t s = 0;
+    while (first.emplace(s, found.has.size()).second) {
+        found.has.push_back(automaton.accepting[s]);
+        s = automaton.next[s][found.letter];
+    }
+    found.tail = first.at(s);
+    found.period = found.has.size() - found.tail;
+    bool is_infinite = false;
+    for (std::size_t r = 0; r < found.period; ++r) is_infinite = is_infinite || found.in_long(r);
+    if (!is_infinite) task.refuse("the language is finite");
+    return found;
+}
+
+/// Of how many letters a table makes each length up to some greatest one.
+class Made {
+public:
+    Made(const PeriodicLengths& lengths, const std::set<std::size_t>& table, std::size_t greatest,
+         const Budget& budget)
+        : lengths_(lengths), erases_(table.contains(0)), ways_(greatest + 1) {
+        // Of x letters that are not erased: bit x.
+        for (std::size_t n = 0; n <= greatest; ++n) {
+            budget.check();
+            std::vector<std::uint64_t>& ways = ways_[n];
+            ways.assign(n / 64 + 1, 0);
+            if (n == 0) ways[0] = 1;
+            for (const std::size_t k : table) {
+                if (k == 0 || k > n) continue;
+                const std::vector<std::uint64_t>& before = ways_[n - k];
+                for (std::size_t i = 0; i < before.size(); ++i) {
+                    ways[i] |= before[i] << 1;
+                    if (before[i] >> 63 != 0) ways[i + 1] |= 1;
+                }
+            }
+        }
+    }
+
+    /// Whether of fewer letters, but at least so many.
+    bool of_fewer(std::size_t n, std::size_t least) const {
+        bool can_be = false;
+        for (std::size_t x = 0; x < n; ++x) {
+            const bool exact = (ways_[n][x / 64] >> (x % 64) & 1) != 0;
+            can_be = exact || (can_be && erases_);
+            if (can_be && x >= least && lengths_.in(x)) return true;
+        }
+        return false;
+    }
+
+private:
+    const PeriodicLengths& lengths_;
+    bool erases_;
+    std::vector<std::vector<std::uint64_t>> ways_;
+};
+
+/// The proof that tables have not the lengths of a language (CERTIFICATES.md).
+class LengthCheck {
+public:
+    explicit LengthCheck(const Obligation& task)
+        : task_(task),
+          lengths_(lengths_of(task)),
+          tables_(task.statement.family.find('T') != std::string::npos),
+          erases_(!task.statement.family.starts_with('P') && lengths_.in(0)) {}
+
+    void check() {
+        if (task_.proof.has("sums")) return check_sums();
+        const auto targets = task_.proof.at("targets").list();
+        std::set<std::uint64_t> alone;
+        for (const Field& target : targets) {
+            target.only({"length", "rest", "frames"});
+            Goal goal;
+            if (target.has("length")) goal.length = length(target.at("length"));
+            if (target.has("rest")) goal.rest = rest(target.at("rest"));
+            if (goal.length && goal.rest) target.refuse("it is a length or a rest");
+            if (goal.length) {
+                if (!lengths_.in(*goal.length) || is_free(*goal.length))
+                    target.refuse("no word has this length, or tables that erase make it");
+                alone.insert(*goal.length);
+            } else if (goal.rest) {
+                const std::size_t long_one =
+                    goal.rest->first + (lengths_.tail + 1) * lengths_.period;
+                if (!lengths_.in(long_one) || is_free(long_one))
+                    target.refuse("no words have these lengths, or tables that erase make them");
+                if (goal.rest->second % lengths_.period != 0 ||
+                    !has_primes_of_period(goal.rest->second))
+                    target.refuse("the modulus has other prime divisors than the period");
+            } else if (tables_ || erases_ || lengths_.in(0)) {
+                target.refuse("only one table that does not erase has to make all lengths");
+            }
+            check_frames(target.at("frames"), goal);
+            if (!goal.length) return;
+        }
+        if (alone.size() < 2)
+            task_.proof.at("targets").refuse("one of the lengths may be that of the axiom");
+    }
+
+private:
+    using Rest = std::pair<std::size_t, std::size_t>;
+    using Set = std::set<std::size_t>;
+    struct Goal {
+        std::optional<std::size_t> length;
+        std::optional<Rest> rest;
+    };
+
+    std::size_t length(const Field& field) const {
+        if (field.number() > longest_length)
+            throw BoundReached(Bound::method,
+                               "lengths are looked at up to " + std::to_string(longest_length));
+        return static_cast<std::size_t>(field.number());
+    }
+    Rest rest(const Field& field) const {
+        const auto [first, second] = field.pair();
+        if (second.number() == 0 || first.number() >= second.number())
+            field.refuse("a rest is less than its modulus");
+        if (second.number() > greatest_modulus)
+            throw BoundReached(Bound::method, "the modulus is too great");
+        return {static_cast<std::size_t>(first.number()),
+                static_cast<std::size_t>(second.number())};
+    }
+
+    /// The axiom has one of the lengths u, v whose sum is no length, and without it sums lead out too.
+    void check_sums() const {
+        if (tables_ || !erases_)
+            task_.refuse("this is about one table, and languages with the empty word");
+        std::vector<Rest> sums;
+        for (const Field& each : task_.proof.at("sums").list()) {
+            const auto [u, v] = each.pair();
+            sums.emplace_back(length(u), length(v));
+        }
+        const auto leads_out = [&](const Rest& sum, std::size_t axiom) {
+            const auto is_other = [&](std::size_t n) {
+                return n > 0 && n != axiom && lengths_.in(n);
+            };
+            return is_other(sum.first) && is_other(sum.second) && !is_other(sum.first + sum.second);
+        };
+        if (sums.empty() || !leads_out(sums.front(), 0))
+            task_.proof.at("sums").refuse("the first sum is one of the lengths");
+        for (const std::size_t axiom : {sums.front().first, sums.front().second})
+            if (std::none_of(sums.begin(), sums.end(),
+                             [&](const Rest& sum) { return leads_out(sum, axiom); }))
+                task_.proof.at("sums").refuse("an axiom of " + std::to_string(axiom) +
+                                              " letters is not excluded");
+    }
+
+    /// Whether all multiples are lengths, and may be erased to.
+    bool is_free(std::size_t n) const {
+        if (!erases_) return false;
+        for (std::size_t i = 1; i <= lengths_.has.size() + lengths_.period; ++i)
+            if (!lengths_.in(i * n)) return false;
+        return true;
+    }
+
+    bool has_primes_of_period(std::size_t n) const {
+        for (std::size_t prime = 2; prime <= n; ++prime)
+            while (n % prime == 0) {
+                if (lengths_.period % prime != 0) return false;
+                n /= prime;
+            }
+        return true;
+    }
+
+    void check_frames(const Field& field, const Goal& goal) {
+        std::vector<Rest> frames;  // modulus and rest
+        for (const Field& frame : field.list()) {
+            frame.only({"modulus", "rest", "case"});
+            const std::size_t modulus = length(frame.at("modulus")),
+                              rest = length(frame.at("rest"));
+            if (modulus == 0 || lengths_.period % modulus != 0)
+                frame.refuse("the modulus does not divide the period");
+            frames.emplace_back(modulus, rest);
+            Set set;
+            for (std::size_t n = 1; n < lengths_.has.size(); ++n)
+                if (n % modulus == rest) set.insert(n);
+            follow(set, {}, goal, frame.at("case"));
+        }
+        for (std::size_t modulus = 1; modulus <= lengths_.period; ++modulus)
+            for (std::size_t rest = 0; rest < modulus; ++rest)
+                if (lengths_.period % modulus == 0 && is_possible(modulus, rest) &&
+                    std::none_of(frames.begin(), frames.end(), [&](const Rest& frame) {
+                        return modulus % frame.first == 0 && rest % frame.first == frame.second;
+                    }))
+                    field.refuse("tables whose lengths have the rest " + std::to_string(rest) +
+                                 " modulo " + std::to_string(modulus) + " are possible too");
+    }
+
+    /// Of tables whose differences have, with the period, this greatest common divisor.
+    bool is_possible(std::size_t modulus, std::size_t rest) const {
+        std::set<std::size_t> before, after;
+        for (std::size_t r = 0; r < lengths_.period; ++r) {
+            if (!lengths_.in_long(r)) continue;
+            before.insert(r);
+            after.insert(r * rest % lengths_.period);
+            for (std::size_t n = r * rest % modulus; n < lengths_.period; n += modulus)
+                if (!lengths_.in_long(n)) return false;
+        }
+        // One table makes all long lengths of long ones.
+        return tables_ || (modulus == lengths_.period && before == after);
+    }
+
+    void follow(const Set& set, const Set& kept, const Goal& goal, const Field& field) {
+        task_.budget.check();
+        field.only({"sum", "cases", "length", "rest"});
+        if (field.has("length")) {
+            const std::size_t n = length(field.at("length"));
+            if (goal.rest || n != goal.length.value_or(n) || !lengths_.in(n))
+                field.refuse("this is not the length that is to be made");
+            if (!goal.length && n <= least()) field.refuse("it may be that of the axiom");
+            Set table;
+            for (std::size_t k = 1; k <= n; ++k)
+                if (set.contains(lengths_.class_of(k))) table.insert(k);
+            if (Made(lengths_, table, n, task_.budget).of_fewer(n, 0))
+                field.refuse("a table with these lengths may make it of a shorter one");
+            return;
+        }
+        if (field.has("rest")) {
+            const Rest missed = rest(field.at("rest"));
+            if (goal.length || missed != goal.rest.value_or(missed))
+                field.refuse("these are not the lengths that are to be made");
+            if (missed.second % lengths_.period != 0 || !has_primes_of_period(missed.second) ||
+                !lengths_.in_long(missed.first))
+                field.refuse(
+                    "no words have these lengths, or the modulus has other prime divisors "
+                    "than the period");
+            if (makes_long(set, missed))
+                field.refuse("a table with these lengths may make them of long ones");
+            return;
+        }
+        std::vector<std::size_t> sum;
+        std::size_t total = 0;
+        for (const Field& each : field.at("sum").list()) {
+            sum.push_back(length(each));
+            total += sum.back();
+            if (!set.contains(sum.back())) each.refuse("no table has this length");
+        }
+        if (sum.empty() || !lengths_.in(sum.size()))
+            field.at("sum").refuse("no word has as many letters");
+        if (lengths_.in(total)) field.at("sum").refuse("the sum is a length");
+        const auto cases = field.at("cases").list();
+        Set left(sum.begin(), sum.end());
+        std::erase_if(left, [&](std::size_t n) { return kept.contains(n); });
+        if (cases.size() != left.size())
+            field.at("cases").refuse("there must be one for each length that may be left out");
+        Set keeping = kept;
+        std::size_t i = 0;
+        for (const std::size_t n : left) {
+            Set without = set;
+            without.erase(n);
+            follow(without, keeping, goal, cases[i++]);
+            keeping.insert(n);
+        }
+    }
+
+    std::size_t least() const {
+        std::size_t n = 1;
+        while (!lengths_.in(n)) ++n;
+        return n;
+    }
+
+    /// Whether a finite table of the set may make long lengths of this rest, without small prime divisors that the period has not, of long
+    /// shorter ones.
+    bool makes_long(const Set& set, const Rest& rest) const {
+        if (set.empty() || set == Set{1}) return false;  // 1 makes each length of itself only
+        const bool endless = *set.rbegin() >= lengths_.tail;
+        std::size_t shared = endless ? lengths_.period : 0, differences = shared;
+        for (const std::size_t n : set) {
+            shared = std::gcd(shared, n);
+            differences = std::gcd(differences, n - *set.begin());
+        }
+        if (!has_primes_of_period(shared)) return false;
+        // One number: s = x k. Several: s = x k modulo all prime powers in their differences that are of primes of the period.
+        std::size_t modulus = differences;
+        for (std::size_t prime = 2; differences > 0 && prime <= differences; ++prime)
+            while (differences % prime == 0) {
+                differences /= prime;
+                if (lengths_.period % prime != 0) modulus /= prime;
+            }
+        modulus = modulus == 0 ? rest.second : std::gcd(modulus, rest.second);
+        const std::size_t all = std::lcm(modulus, lengths_.period);
+        for (std::size_t x = 0; x < all; ++x)
+            if (lengths_.in_long(x) && x * *set.begin() % modulus == rest.first % modulus)
+                return true;
+        return false;
+    }
+
+    const Obligation& task_;
+    PeriodicLengths lengths_;
+    bool tables_, erases_;
+};
+
+}  // namespace
+
+void check_lengths(const Obligation& task) {
+    must_be_one_of(task, {"0L", "P0L", "T0L", "PT0L"});
+    LengthCheck(task).check();
+}
+
+/// Lengths up to `from` come from shorter ones. Of the others each has the rest of one that a table makes of x, x at least the tail: it makes
+/// s + p k of x + p for the period p and a length k of its.
+void check_length_induction(const Obligation& task, const std::vector<Word>& base) {
+    const PeriodicLengths lengths = lengths_of(task);
+    const System& system = *task.language(1)->system;
+    const std::uint64_t from = task.proof.at("from").number();
+    if (from > longest_length)
+        throw BoundReached(Bound::method,
+                           "lengths are looked at up to " + std::to_string(longest_length));
+    if (from < lengths.tail) task.proof.at("from").refuse("it is less than the tail");
+    std::set<std::size_t> known;
+    for (const Word& word : base)
+        if (std::all_of(word.begin(), word.end(), [&](Symbol a) { return a == lengths.letter; }))
+            known.insert(word.size());
+    std::vector<std::set<std::size_t>> tables;
+    std::vector<Made> made;
+    for (const System::Successors& table : system.tables) {
+        auto& successors = tables.emplace_back();
+        for (const Word& word : table[lengths.letter])
+            if (std::all_of(word.begin(), word.end(),
+                            [&](Symbol a) { return a == lengths.letter; }))
+                successors.insert(word.size());
+        made.emplace_back(lengths, successors, static_cast<std::size_t>(from), task.budget);
+    }
+    for (std::size_t n = 0; n <= from; ++n)
+        if (lengths.in(n) && !known.contains(n) &&
+            std::none_of(made.begin(), made.end(),
+                         [&](const Made& each) { return each.of_fewer(n, 0); }))
+            task.refuse("the length " + std::to_string(n) +
+                        " is not in the base and does not come from a shorter one");
+    // Rests that are made so, by the moduli of the tables.
+    std::vector<std::pair<std::size_t, std::set<std::size_t>>> rests;
+    std::size_t all = lengths.period;
+    for (const Field& each : task.proof.at("tables").list()) {
+        if (each.number() >= tables.size()) each.refuse("there is no such table");
+        const auto t = static_cast<std::size_t>(each.number());
+        const auto k = tables[t].upper_bound(0);
+        if (k == tables[t].end()) each.refuse("the table makes the empty word only");
+        auto& [modulus, some] = rests.emplace_back(lengths.period * *k, std::set<std::size_t>{});
+        all = std::lcm(all, modulus);
+        if (all > greatest_modulus)
+            throw BoundReached(Bound::method, "the period of the tables is too great");
+        for (std::size_t n = 0; n <= from; ++n)
+            if (made[t].of_fewer(n, std::max<std::size_t>(lengths.tail, 1)))
+                some.insert(n % modulus);
+    }
+    for (std::size_t rest = 0; rest < all; ++rest)
+        if (lengths.in_long(rest) &&
+            std::none_of(rests.begin(), rests.end(),
+                         [&](const auto& each) { return each.second.contains(rest % each.first); }))
+            task.refuse("long lengths with the rest " + std::to_string(rest) + " modulo " +
+                        std::to_string(all) + " are not seen to be made");
 }
 
 void check_dense(const Obligation& task) {

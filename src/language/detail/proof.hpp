@@ -402,6 +402,9 @@ struct ByInduction {
     std::vector<Word> base;
     std::vector<Answer> members;
     std::vector<Symbol> counted;  // none: all letters
+    // Over one letter: shorter words of the left side, one by one up to this length, and by which tables beyond (LengthInduction).
+    std::optional<std::size_t> from = {};
+    std::vector<std::size_t> tables = {};
 };
 
 /// All rules of the system of the left side are rules of that of the right one, which derives the axiom of the left one, perhaps in no step.
@@ -656,6 +659,40 @@ struct ByClasses {
     std::size_t size = 0;  // cases
 };
 
+/// No system of the family generates the infinite regular language over one letter, by its lengths (regular_family.cpp). p is the period of
+/// these; numbers stand for classes of lengths.
+struct ByLengths {
+    using Rest = std::pair<std::size_t, std::size_t>;  // and the modulus
+    struct Case {
+        // Lengths of successors, one for each letter of a word, whose sum is not a length. Each of `cases` is without one of them,
+        // increasing, and has those before it.
+        std::vector<std::size_t> sum = {};
+        std::vector<Case> cases = {};
+        // Or a length that the rest of them does not make of a shorter one; or long lengths that finitely many do not make of long ones.
+        std::optional<std::size_t> length = {};
+        std::optional<Rest> rest = {};
+    };
+    /// Tables whose lengths all have one rest: p has the modulus as its divisor.
+    struct Frame {
+        std::size_t modulus = 1, rest = 0;
+        Case root;
+    };
+    /// A length, or rest, that no table makes; with one table, that no table makes all.
+    struct Target {
+        std::optional<std::size_t> length = {};
+        std::optional<Rest> rest = {};
+        std::vector<Frame> frames;
+    };
+    static constexpr std::size_t most_shown = 40;  // cases in sentences
+    Language language;
+    std::string family;
+    std::size_t period = 1;
+    std::vector<Target> targets;
+    // Where the one table has the empty word: two lengths whose sum is none, and the same without the first and the second of them.
+    std::vector<std::pair<std::size_t, std::size_t>> sums;
+    std::size_t size = 0;  // cases
+};
+
 /// A regular language has too many words for the family: infinite D0L languages have at most c N words up to the length N.
 struct Dense {
     static constexpr const char* rule = "dense";
@@ -865,7 +902,7 @@ struct Proof {
         steps::InfiniteTables, steps::Pumped, steps::LongerPowers, steps::InfinitePart,
         steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations,
         steps::ContextFree, steps::PowersBeyond, steps::HasEmptyWord, steps::Sparse,
-        steps::FiniteFamily, steps::GeneratedBy, steps::ByClasses, steps::Dense,
+        steps::FiniteFamily, steps::GeneratedBy, steps::ByClasses, steps::ByLengths, steps::Dense,
         steps::LettersOnCycles, steps::LinearBlocks, steps::NotGeometric, steps::Proportional,
         steps::OfReversal, steps::Constructed, steps::Code, steps::TwoFactorisations,
         steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,

@@ -179,6 +179,7 @@ void check_closed(const Obligation& task);
 void check_context_free(const Obligation& task);
 void check_powers_beyond(const Obligation& task);
 void check_classes(const Obligation& task);
+void check_lengths(const Obligation& task);
 void check_dense(const Obligation& task);
 void check_cycles(const Obligation& task);
 void check_proportional(const Obligation& task);
@@ -211,6 +212,8 @@ void check_relations(const Obligation& task);
 void check_invariant(const Obligation& task);
 /// Induction on the length, where the right language is that of a system with context; the words of the base are in it.
 void check_context_induction(const Obligation& task, const std::vector<Word>& base);
+/// Induction on the length over one letter, where the right language is that of tables.
+void check_length_induction(const Obligation& task, const std::vector<Word>& base);
 void check_both(const Obligation& task);
 void check_same_powers(const Obligation& task);
 // Of codes and palindromes:

@@ -203,6 +203,7 @@ std::string table_text(Theory& theory, const std::vector<std::string>& families,
 std::string wrapped_line(const std::string& sentence) {
     std::string text, line = "  ";
     std::istringstream words(sentence);
+    words.exceptions(std::ios::badbit);
     for (std::string word; words >> word;) {
         if (line.size() + word.size() + 1 > 100) {
             text += line + '\n';

@@ -410,6 +410,7 @@ namespace {
 
 std::vector<std::string> words(const std::string& text) {
     std::istringstream in(text);
+    in.exceptions(std::ios::badbit);
     std::vector<std::string> found;
     for (std::string word; in >> word;) found.push_back(word);
     return found;

@@ -196,6 +196,7 @@ Budget Bounds::budget() const {
 Option& Verb::add(const std::string& names, const std::string& type, const std::string& text) {
     Option& added = (names.starts_with('-') ? options : arguments).emplace_back();
     std::istringstream parts(names);
+    parts.exceptions(std::ios::badbit);  // else the end of memory ends the text
     for (std::string part; std::getline(parts, part, ',');) added.names.push_back(part);
     added.type = type;
     added.help = text;
@@ -291,6 +292,7 @@ Values Verb::values(const Option& option) const {
     Values found;
     const std::string type = option.type.substr(0, option.type.find(",..."));
     std::istringstream parts(type);
+    parts.exceptions(std::ios::badbit);
     for (std::string part; std::getline(parts, part, '|');) {
         if (part == "FILE")
             found.files = true;

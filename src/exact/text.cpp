@@ -70,6 +70,7 @@ namespace {
 
 std::string streamed(double value, int precision, std::ios_base::fmtflags notation = {}) {
     std::ostringstream out;
+    out.exceptions(std::ios::badbit);
     out.imbue(std::locale::classic());
     out.flags(notation);
     out << std::setprecision(precision) << value;
@@ -78,6 +79,7 @@ std::string streamed(double value, int precision, std::ios_base::fmtflags notati
 
 bool is_read_as(const std::string& text, double value) {
     std::istringstream in(text);
+    in.exceptions(std::ios::badbit);
     in.imbue(std::locale::classic());
     double read = 0;
     in >> read;

@@ -91,6 +91,7 @@ std::string wrapped(const std::string& text, std::size_t indentation) {
     std::string result = margin;
     std::size_t column = margin.size();
     std::istringstream words(text);
+    words.exceptions(std::ios::badbit);
     bool first = true;
     for (std::string word; words >> word;) {
         if (!first && column + 1 + columns(word) > width) {

@@ -31,6 +31,7 @@ std::string_view without_break(std::string_view line) {
 Fence opened(std::string_view line) {
     Fence fence;
     std::istringstream words{std::string(line.substr(3))};
+    words.exceptions(std::ios::badbit);
     words >> fence.kind;
     for (std::string word; words >> word;) {
         if (word.starts_with("name=")) fence.name = word.substr(5);

@@ -385,6 +385,7 @@ void choose_column_font(cairo_t* context, std::size_t column, double letters, bo
 std::vector<std::string> broken(cairo_t* context, const std::string& text, double most) {
     std::vector<std::string> lines;
     std::istringstream words(text);
+    words.exceptions(std::ios::badbit);
     for (std::string word; words >> word;) {
         const std::string longer = lines.empty() ? word : lines.back() + " " + word;
         if (lines.empty() || text_width(context, longer) > most)

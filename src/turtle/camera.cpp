@@ -24,6 +24,7 @@ namespace {
 void check_angle(const char* what, double degrees, double least, double most) {
     if (degrees >= least && degrees <= most) return;
     std::ostringstream message;
+    message.exceptions(std::ios::badbit);
     message << "the camera's " << what << " is " << degrees << " degrees, expected " << least
             << " to " << most;
     throw Error(message.str());

@@ -2,7 +2,7 @@
 // output of before, parts of files. Prints a line for each verb and kind of fault, what went wrong, and a line for each kind; ends with 1
 // if anything went wrong.
 //
-//   inject ALGAE FAULTS.so FOLDER [EVERY [VERB...]]   EVERY 7: each seventh allocation only
+//   inject ALGAE FAULTS.so FOLDER [EVERY[@FROM] [VERB...]]   EVERY 7: each seventh allocation only, from the one of number FROM on
 //   inject --self-test
 //
 // Crashes inside of Cairo, Pango, fontconfig and Graphviz, which do not look whether there is memory, are told apart: they are listed with
@@ -258,12 +258,14 @@ std::string flaw(Runner& runner, const Normal& normal, const std::string& kind, 
 int main(int argc, char** argv) {
     if (argc == 2 && std::string(argv[1]) == "--self-test") return self_test();
     if (argc < 4) {
-        std::fprintf(stderr, "inject ALGAE FAULTS.so FOLDER [EVERY [VERB...]]\n");
+        std::fprintf(stderr, "inject ALGAE FAULTS.so FOLDER [EVERY[@FROM] [VERB...]]\n");
         return 2;
     }
     const std::string command = argv[1], library = argv[2], folder = argv[3];
     const long every = argc > 4 ? std::atol(argv[4]) : 1;
-    if (every < 1) {
+    const char* const at = argc > 4 ? std::strchr(argv[4], '@') : nullptr;
+    const long from = at ? std::atol(at + 1) : 1;
+    if (every < 1 || from < 1) {
         std::fprintf(stderr, "inject: expected a number from 1 on, found '%s'\n", argv[4]);
         return 2;
     }
@@ -300,8 +302,9 @@ int main(int argc, char** argv) {
                     own.status = runner.run(kind + ":0");
                     own.out = runner.out();  // with the names of this folder
                     own.made = runner.made();
-                    const long step = kind == "memory" ? every : 1;
-                    for (long n = 1 + part * step; n <= count; n += 2 * step) {
+                    const bool many = kind == "memory";
+                    const long step = many ? every : 1;
+                    for (long n = (many ? from : 1) + part * step; n <= count; n += 2 * step) {
                         const std::string found =
                             flaw(runner, own, kind, runner.run(kind + ":" + std::to_string(n)));
                         std::fprintf(report, "%ld\t%s\n", n, found.c_str());

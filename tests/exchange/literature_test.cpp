@@ -567,9 +567,10 @@ TEST_CASE("morphisms of the literature as Sage and Walnut write them have their 
             {"sage", "m = WordMorphism('" + sage + "')\nm.fixed_point('" + morphism.axiom + "')\n"},
             {"walnut", walnut},
             {"walnut", "morphism h \"" + call + "\";\n"}};
-        for (const auto& [name, file] : files) {
+        for (const auto& one : files) {
+            const std::string name = one.first, file = one.second;
             CAPTURE(file);
-            const Model model = format(name).read(file, std::string("word.") + name);
+            const Model model = format(name).read(file, "word." + name);
             for (std::size_t n = 0; n < 4; ++n, ++compared)
                 CHECK(word_without_blanks(model, n) == morphic_word(morphism, n));
             const std::string prefix = morphism.prefix;

@@ -62,12 +62,12 @@ TEST_CASE("wrong inputs of newcomers are refused with their place and with what 
         {"brno", "modules: F=P(1);\naxiom: F;\nangles: U=22.5;\nrules: F -> F+F;\nEND\n",
          "x.brno:3:11: error: expected a whole number of degrees, found '22.5'"},
     };
-    for (const auto& [name, text, message] : all) {
-        CAPTURE(text);
-        const std::string file = std::string("x.") + name;
-        const std::string said = refusal([&] { system_format(file)->read(text, file); });
+    for (const Case& one : all) {
+        CAPTURE(one.text);
+        const std::string file = std::string("x.") + one.format;
+        const std::string said = refusal([&] { system_format(file)->read(one.text, file); });
         CAPTURE(said);
-        CHECK(said.find(message) != std::string::npos);
+        CHECK(said.find(one.message) != std::string::npos);
     }
     // A program of L+C says its axiom with a semicolon.
     CHECK(refusal([] {

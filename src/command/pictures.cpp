@@ -324,12 +324,21 @@ FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::ui
         plate.seed = seed;
         plate.name = "generation " + std::to_string(n) + " of " + system.name;
         if (many_seeds_) plate.name += ", seed " + std::to_string(*seed);
-        if (in_space)
+        if (in_space) {
             plate.figure = view(n, seed);
-        else
-            plate.figure =
-                open_figure(system, n, budget, {seed, choices.tables, choices.seeds.has_value()},
-                            external_environment(choices.environment, system));
+            return;
+        }
+        const FigureChoices chosen{seed, choices.tables, choices.seeds.has_value()};
+        auto external = external_environment(choices.environment, system);
+        if (!class_of(system).parametric) {
+            plate.figure = open_figure(system, n, budget, chosen, std::move(external));
+            return;
+        }
+        constexpr std::size_t most_kept = 1'000'000;  // modules
+        DerivedModules derived = open_modules(system, n, chosen, std::move(external), budget);
+        if (derived.word.kinds.size() <= most_kept)
+            plate.derived = std::make_shared<const DerivedModules>(derived);
+        plate.figure = figure(system, std::move(derived), n, budget);
     };
     for (std::uint64_t n = generations.first; n <= generations.second; ++n) {
         if (!seeds)
@@ -387,10 +396,10 @@ void note_rounding(const Model& system, std::uint64_t n, const std::string& reas
 
 /// The letters of a word by their positions.
 struct FigureSources::Letters {
-    DerivedModules word;
+    std::shared_ptr<const DerivedModules> derived;
     std::vector<std::string> names;  // by kind
     std::string_view at(std::uint64_t position) const {
-        return names[word.word.kinds[static_cast<std::size_t>(position)]];
+        return names[derived->word.kinds[static_cast<std::size_t>(position)]];
     }
 };
 
@@ -408,12 +417,15 @@ FigureSources::FigureSources(const std::vector<FigurePlate>& plates, const Plate
         const FigureChoices chosen{plate.seed, choices.tables, choices.seeds.has_value()};
         try {
             auto letters = std::make_shared<Letters>();
-            letters->word = open_modules(system, plate.generation, chosen, nullptr, budget);
-            const ModuleKinds& kinds = letters->word.kinds;
+            letters->derived = plate.derived;
+            if (!letters->derived)
+                letters->derived = std::make_shared<const DerivedModules>(
+                    open_modules(system, plate.generation, chosen, nullptr, budget));
+            const ModuleKinds& kinds = letters->derived->kinds;
             for (std::size_t kind = 0; kind < kinds.size(); ++kind)
                 letters->names.push_back(
                     system.alphabet.name(kinds.letter(static_cast<ModuleKind>(kind))));
-            source.modules = letters->word.word.kinds.size();
+            source.modules = letters->derived->word.kinds.size();
             source.letter = [letters = letters.get()](std::uint64_t at) { return letters->at(at); };
             letters_.push_back(std::move(letters));
         } catch (const BoundReached& bound) {

@@ -364,8 +364,10 @@ double apply_exactly(Program::Operation operation, double x, double y, WordValue
     const bool is_enclosed = numbers.is_enclosure(x) || numbers.is_enclosure(y);
     numbers.spend_work(is_enclosed ? 10 : 1);
     const double value = worked_out(operation, x, y, numbers, at);
-    if (!is_enclosed && numbers.is_enclosure(value)) numbers.spend_work(9);
-    numbers.remember(kind, x, y, value);
+    if (!numbers.is_enclosure(value))
+        numbers.remember(kind, x, y, value);
+    else if (!is_enclosed)
+        numbers.spend_work(9);
     return value;
 }
 

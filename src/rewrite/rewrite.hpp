@@ -155,8 +155,7 @@ public:
     double number(const Ball& value);
     void set_memory(std::uint64_t bytes) { memory_ = bytes; }
 
-    /// What an operation made of these operands not long ago. An enclosure that is made again is the same entry, and so known
-    /// to be equal. Constant time.
+    /// What an operation made of these operands not long ago; values that are enclosures are not remembered. Constant time.
     std::optional<double> remembered(unsigned operation, double left, double right) const;
     void remember(unsigned operation, double left, double right, double value);
 

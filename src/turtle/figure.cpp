@@ -158,16 +158,16 @@ std::unique_ptr<Figure> letters_figure(const Model& system, const Word& word, st
     return plane_figure(system, std::move(rules), 0, n, budget, rounded);
 }
 
-std::unique_ptr<Figure> derived_figure(const Model& system, DerivedModules derived, std::uint64_t n,
-                                       const Budget& budget) {
+}  // namespace
+
+std::unique_ptr<Figure> figure(const Model& system, DerivedModules derived, std::uint64_t n,
+                               const Budget& budget) {
     if (is_plain(system) && derived.word.values.empty())
         return letters_figure(system, letters(derived.kinds, derived.word), n, budget,
                               derived.rounded);
     return module_figure(system, derived.kinds, std::move(derived.word), n, derived.seed, budget,
                          derived.rounded);
 }
-
-}  // namespace
 
 std::unique_ptr<Figure> figure(const Model& system, std::uint64_t n, const Budget& budget,
                                const FigureChoices& choices) {
@@ -179,7 +179,7 @@ std::unique_ptr<Figure> figure(const Model& system, std::uint64_t n, const Budge
         check_choices(system, n, choices);
         return figure(system, derive(*rules, n, budget), n, budget);
     }
-    return derived_figure(system, derived_modules(system, n, choices, budget), n, budget);
+    return figure(system, derived_modules(system, n, choices, budget), n, budget);
 }
 
 std::unique_ptr<Figure> figure(const Model& system, const Word& word, std::uint64_t n,
@@ -189,15 +189,14 @@ std::unique_ptr<Figure> figure(const Model& system, const Word& word, std::uint6
 
 std::unique_ptr<Figure> figure(const Model& system, const ModuleKinds& kinds, ModuleString word,
                                std::uint64_t n, std::uint64_t seed, const Budget& budget) {
-    return derived_figure(system, {kinds, std::move(word), seed, {}}, n, budget);
+    return figure(system, DerivedModules{kinds, std::move(word), seed, {}}, n, budget);
 }
 
 std::unique_ptr<Figure> open_figure(const Model& system, std::uint64_t n, const Budget& budget,
                                     const FigureChoices& choices,
                                     std::shared_ptr<Environment> external) {
     if (!class_of(system).open) return figure(system, n, budget, choices);
-    return derived_figure(system, open_modules(system, n, choices, std::move(external), budget), n,
-                          budget);
+    return figure(system, open_modules(system, n, choices, std::move(external), budget), n, budget);
 }
 
 }  // namespace algae

@@ -417,6 +417,10 @@ struct DerivedModules {
     std::string rounded;     // why parameters were rounded on the way; empty if they were exact
 };
 
+/// The figure of a word that was derived as generation `n`, in the plane.
+std::unique_ptr<Figure> figure(const Model& system, DerivedModules derived, std::uint64_t n,
+                               const Budget& budget);
+
 /// The word of generation `n` with its parameters, derived as Rewriting says.
 ///
 /// Its numbers are exact on the way, and the nearest doubles at the end, as long as exactness costs little: while all words

@@ -150,7 +150,7 @@ TEST_CASE("a derivation's ancestors give the words back") {
     const Model squares = read_lsystem("axiom A(1.0001)\nA(x) -> A(x*x)", "");
     const json rounded = json::parse(derivation_view(squares, 14, std::nullopt, 1000, {}));
     CHECK(rounded["words"].size() == 15);
-    CHECK(rounded["rounded"] == "2:9: the value of 'x*x' has more than 10,000 digits");
+    CHECK(rounded["rounded"] == ":2:11: the value of 'x*x' has more than 10,000 digits");
 }
 
 TEST_CASE("the page's questions are answered as the verbs answer them") {

@@ -104,6 +104,8 @@ struct FigurePlate {
     std::unique_ptr<Figure> figure;
     std::string name, caption;
     const Model* system = nullptr;  // that it shows, where the caller keeps it
+    std::shared_ptr<const DerivedModules>
+        derived;  // the word, where it has parameters and is short
 };
 
 /// The choices of a picture of a system with choices; what is not set comes from the file.

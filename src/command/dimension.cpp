@@ -194,17 +194,49 @@ std::vector<Entry> entries(const std::string& folder, const Budget& budget) {
     return all;
 }
 
+/// The budget until so much of its time is used up, and at most a third of it.
+Budget for_at_most(std::chrono::steady_clock::duration time, Budget budget) {
+    const auto now = std::chrono::steady_clock::now();
+    if (budget.deadline) time = std::min(time, (*budget.deadline - now) / 3);
+    budget.deadline = now + time;
+    return budget;
+}
+
+bool is_time(const BoundReached& bound) { return bound.bound() == Bound::time; }
+
+/// What the rules say without the search for parts that coincide, whose time is over.
+ExactDimension unfinished_dimension(const Model& system, const BoundReached& over,
+                                    const Budget& budget) {
+    ExactDimension found = dimension_bound(system, budget);
+    if (found.status != Found::upper_bound) return found;
+    found.status = Found::unfinished;
+    found.conditions.back() = std::string("whether parts coincide is not known: ") + over.what();
+    return found;
+}
+
+/// The exact value of a row in at most a third of the time that is left, so that others have time too; the bound where
+/// that is not enough.
+ExactDimension exact_in_row(const Model& system, const Budget& budget) {
+    if (!budget.deadline) return exact_dimension(system, budget);
+    try {
+        return exact_dimension(system, for_at_most(std::chrono::hours(1), budget));
+    } catch (const BoundReached& bound) {
+        if (!is_time(bound)) throw;
+        return unfinished_dimension(system, bound, budget);
+    }
+}
+
 DimensionRow row_of(const Entry& entry, const Options& options, const Budget& budget) {
     DimensionRow row{entry.name, entry.system.title, {}, {}, {}};
     try {
-        row.exact = exact_dimension(entry.system, budget);
+        row.exact = exact_in_row(entry.system, budget);
     } catch (const BoundReached& bound) {
         row.exact.status = Found::unfinished;
         row.exact.conditions.push_back(bound.what());
     }
     row.unfinished = row.exact.status == Found::unfinished;
-    if (row.unfinished) row.unmeasured = row.exact.conditions.back();
-    if (row.unfinished || row.exact.status == Found::none || options.quick) return row;
+    if (row.unfinished && !row.exact.value) row.unmeasured = row.exact.conditions.back();
+    if (!row.exact.value || options.quick) return row;
     if (!row.exact.limit) {
         row.unmeasured = "the rules do not lead to similar parts of one size";
         return row;
@@ -217,7 +249,7 @@ DimensionRow row_of(const Entry& entry, const Options& options, const Budget& bu
         if (!row.fit->estimate) row.unmeasured = row.fit->because;
     } catch (const BoundReached& bound) {
         row.unmeasured = bound.what();
-        row.unfinished = is_of_budget(bound.bound());
+        row.unfinished = row.unfinished || is_of_budget(bound.bound());
     }
     return row;
 }
@@ -401,16 +433,6 @@ bool is_named_as_points(std::string_view file) {
 }
 
 constexpr std::chrono::seconds first_search{5};  // for parts that coincide
-
-/// The budget until so much of its time is used up.
-Budget for_at_most(std::chrono::steady_clock::duration time, Budget budget) {
-    const auto now = std::chrono::steady_clock::now();
-    if (budget.deadline) time = std::min(time, (*budget.deadline - now) / 3);
-    budget.deadline = now + time;
-    return budget;
-}
-
-bool is_time(const BoundReached& bound) { return bound.bound() == Bound::time; }
 
 /// Measured on the limit, or the generation that is asked for; without counts where the time is
 /// over.

@@ -298,6 +298,7 @@ private:
         // All parts of the piece and of those around it, each with its owners; 0 is the piece.
         std::map<Placement, std::vector<std::size_t>> parts;
         const auto add = [&](const Placement& owner, std::size_t number) {
+            budget_.check();
             for (const RecurrentSet::Part& part : parts_within(set_, owner.piece)) {
                 auto& owners = parts[placed(set_, owner, part)];
                 if (owners.empty() || owners.back() != number) owners.push_back(number);
@@ -310,6 +311,7 @@ private:
             if (owners.front() != 0) continue;
             Surroundings around{part.piece, {}};
             for (const auto& [other, others_owners] : parts) {
+                if (++looks_ % 1024 == 0) budget_.check();
                 if (other == part) continue;
                 const Placement seen = seen_from(set_, part, other);
                 const Placement back = seen_from(set_, other, part);
@@ -334,6 +336,7 @@ private:
     Placement here_;
     std::map<Surroundings, std::size_t> numbers_;
     std::vector<Surroundings> kinds_;
+    std::size_t looks_ = 0;  // at pairs of parts
 };
 
 /// rate / scale, an algebraic integer because it is the rate of a sequence of integers (Fatou).

@@ -395,7 +395,7 @@ std::string dimension_header(std::size_t width, bool quick) {
 }
 
 std::string to_line(const DimensionRow& row, std::size_t width) {
-    if (row.exact.status == Found::none || row.exact.status == Found::unfinished)
+    if (!row.exact.value)
         return fmt::format("{:<{}}  {}\n", row.name, width, shortened(row.exact.conditions.back()));
     const bool exact = row.exact.status == Found::exact;
     std::string text = fmt::format(
@@ -413,7 +413,10 @@ std::string to_line(const DimensionRow& row, std::size_t width) {
     } else if (!row.unmeasured.empty()) {
         text += "  undecided: " + shortened(row.unmeasured);
     }
-    return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+    text = text.substr(0, text.find_last_not_of(' ') + 1);
+    if (row.exact.status == Found::unfinished && row.unmeasured.empty())
+        text += "  " + shortened(row.exact.conditions.back());
+    return text + "\n";
 }
 
 Json to_json(const DimensionRow& row, bool quick) {

@@ -1,6 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <chrono>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "command/run.hpp"
 
@@ -77,6 +80,51 @@ TEST_CASE("curves that the time does not suffice for are unfinished, and not wit
     const Run some = run("dimension --table --quick --timeout 0.3");
     CHECK(some.status == (some.out.find("\nunfinished:\n") == std::string::npos ? 0 : 3));
     CHECK((some.out.find(over) == std::string::npos) == (some.status == 0));
+}
+
+TEST_CASE("a search that takes long leaves its bound in the table, and time for the others") {
+    const Scratch scratch;
+    // X -> ... at 90 degrees: a search of minutes.
+    scratch.file("a-plant.lsys", "axiom X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\nangle 90\n");
+    scratch.file("koch.lsys", koch);
+    const std::string folder = "'" + scratch.path().string() + "'";
+    const Run listed = run("dimension --table " + folder + " --quick --json --timeout 6");
+    CHECK(listed.status == 3);
+    const json found = json::parse(listed.out);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0]["exact"]["status"] == "unfinished");
+    CHECK(found[0]["exact"]["at_most"]["formula"] == "log 4 / log 2 = 2");
+    CHECK(found[0]["exact"]["conditions"].dump().find("whether parts coincide is not known") !=
+          std::string::npos);
+    CHECK(found[1]["exact"]["formula"] == "log 4 / log 3");
+    const Run shown = run("dimension --table " + folder + " --quick --timeout 6");
+    CHECK(shown.status == 3);
+    const std::size_t unfinished = shown.out.find("\nunfinished:\na-plant ");
+    REQUIRE(unfinished != std::string::npos);
+    CHECK(shown.out.find("<=2.000000", unfinished) != std::string::npos);
+    CHECK(shown.out.find("whether parts coincide is not known", unfinished) != std::string::npos);
+}
+
+TEST_CASE("rows of a table are there before the next ones are") {
+    const Scratch scratch;
+    scratch.file("a-koch.lsys", koch);
+    scratch.file("plant.lsys", "axiom X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\nangle 90\n");
+    const std::string command = "exec '" + built_command() + "' dimension --table '" +
+                                scratch.path().string() + "' --quick --json --timeout 20";
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe);
+    const auto begin = std::chrono::steady_clock::now();
+    std::string text;
+    for (int c = 0;
+         text.find("log 4 / log 3") == std::string::npos && (c = std::fgetc(pipe)) != EOF;)
+        text += static_cast<char>(c);
+    const auto first = std::chrono::steady_clock::now() - begin;
+    CHECK(text.find("log 4 / log 3") != std::string::npos);
+    for (int c = 0; (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
+    pclose(pipe);
+    CHECK(json::parse(text).size() == 2);
+    // The search of the second row takes a third of the time.
+    CHECK(std::chrono::steady_clock::now() - begin - first > std::chrono::seconds(4));
 }
 
 TEST_CASE("the table refuses what it cannot be made of") {

@@ -266,8 +266,8 @@ TEST_CASE("an undecided answer names the theorem by which no method decides all 
     const CheckedClaim claim = checked(
         "let X = 0L { axiom S; S -> aSb | ab | S }\n"
         "let Y = 0L { axiom S; S -> aSb | aaSbb | ab | S }\n"
-        "let E = E0L { axiom S; terminals a b; S -> aSb | ab | S }\n"
-        "show L(Y) <= L(X); show L(X) == L(Y); show L(E) is regular");
+        "let F = E0L { axiom S; terminals a b; S -> aSb | ab | S }\n"
+        "show L(Y) <= L(X); show L(X) == L(Y); show L(F) is regular");
     const auto names = [&](std::size_t i, const std::string& theorem) {
         const CheckedStatement& found = claim.statements.at(i);
         CHECK(found.answer.truth == Truth::undecided);

@@ -144,15 +144,41 @@ std::optional<Answer> disjoint(const Language& language, const Alphabet& alphabe
     return std::nullopt;
 }
 
-/// First words of the systems with context in an expression, shorter than some length.
+/// Some short words that may be in the language: the first ones of systems with context, and what operations make of such.
 std::vector<Word> first_words(const LanguageTree& tree, const Budget& budget) {
-    constexpr std::size_t first = 40, longest = 20;
+    constexpr std::size_t first = 40, longest = 20, most_factors = 5;
     std::vector<Word> words;
-    for (const Language& part : tree.parts)
-        for (Word& word : first_words(*part, budget)) words.push_back(std::move(word));
-    if (tree.kind != Kind::generated || !tree.system->interactive) return words;
-    for (Word& word : found_words(*tree.system->interactive, {first, 20 * first, {}}, budget).words)
-        if (word.size() <= longest) words.push_back(std::move(word));
+    if (tree.kind == Kind::generated && tree.system->interactive) {
+        for (Word& word :
+             found_words(*tree.system->interactive, {first, 20 * first, {}}, budget).words)
+            if (word.size() <= longest) words.push_back(std::move(word));
+    } else if (tree.kind == Kind::generated && tree.system->tables) {
+        words.push_back(tree.system->tables->axiom);
+    } else if (tree.kind == Kind::words) {
+        words.assign(tree.words.begin(), tree.words.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                  first, tree.words.size())));
+    } else if (tree.kind == Kind::complement) {
+        words.emplace_back();
+        for (const Symbol a : tree.letters) words.push_back({a});
+        for (const Symbol a : tree.letters)
+            for (const Symbol b : tree.letters) words.push_back({a, b});
+    } else if (tree.kind == Kind::concatenated) {
+        auto left = first_words(*tree.parts[0], budget),
+             right = first_words(*tree.parts[1], budget);
+        left.resize(std::min(left.size(), most_factors));
+        right.resize(std::min(right.size(), most_factors));
+        for (const Word& one : left)
+            for (const Word& other : right) {
+                words.push_back(one);
+                words.back().insert(words.back().end(), other.begin(), other.end());
+            }
+    } else {
+        for (const Language& part : tree.parts)
+            for (Word& word : first_words(*part, budget)) {
+                if (tree.kind == Kind::reversed) std::reverse(word.begin(), word.end());
+                words.push_back(std::move(word));
+            }
+    }
     return words;
 }
 

@@ -254,4 +254,28 @@ TEST_CASE(
         return found;
     }();
     CHECK(claim.statements[0].answer.truth == Truth::proved);
+    const std::string some =
+        "let X = PDIL { axiom baa; a < a -> aa; aa < a -> ba }\n"
+        "let Y = PD1L { axiom aaa; b -> bb; b > a -> a; b > b -> ab; a > a -> bb }\n"
+        "let Z = PDIL { axiom baaa; a < a -> aa; aa < a -> ba }\n";
+    CHECK(verdicts(some + "show L(X) L(Z) is not empty; show L(X)^R L(H) is not empty; show ~L(Y) "
+                          "is not empty") == "pc pc pc ");
+}
+
+TEST_CASE("an undecided answer names the theorem by which no method decides all such questions") {
+    const CheckedClaim claim = checked(
+        "let X = 0L { axiom S; S -> aSb | ab | S }\n"
+        "let Y = 0L { axiom S; S -> aSb | aaSbb | ab | S }\n"
+        "let F = E0L { axiom S; terminals a b; S -> aSb | ab | S }\n"
+        "show L(Y) <= L(X); show L(X) == L(Y); show L(F) is regular");
+    const auto names = [&](std::size_t i, const std::string& theorem) {
+        const CheckedStatement& found = claim.statements.at(i);
+        CHECK(found.answer.truth == Truth::undecided);
+        std::string text;
+        for (const std::string& each : sentences(found.answer, *claim.claim.alphabet)) text += each;
+        CHECK_MESSAGE(text.find(theorem) != std::string::npos, text);
+    };
+    names(0, "Inclusion of 0L languages is undecidable, as their equality is (Blattner 1973)");
+    names(1, "Equality of 0L languages is undecidable (Blattner 1973)");
+    names(2, "is regular is undecidable (Bar-Hillel, Perles and Shamir 1961)");
 }

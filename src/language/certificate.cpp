@@ -890,6 +890,11 @@ struct ProofWriter {
         result["addition"] = {{"edges", std::move(edges)}, {"accepting", std::move(accepting)}};
         return result;
     }
+    Json operator()(const steps::ByBispecialFactors& said) const {
+        Json sums = Json::array();
+        for (const auto& [n, sum] : said.sums) sums.push_back({to_string(n), std::to_string(sum)});
+        return {{"by", "bispecial"}, {"sums", std::move(sums)}};
+    }
     Json operator()(const steps::FromStatements& said) const {
         Json parts = Json::array();
         for (const steps::FromStatements::Known& part : said.parts)

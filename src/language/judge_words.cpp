@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "automatic/automatic.hpp"
+#include "combinatorics/combinatorics.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
 #include "word/word.hpp"
@@ -414,7 +416,47 @@ Answer judge_infinite_word(const HoldsInWord& said, const Alphabet& alphabet,
     return found.holds ? proved(std::move(proof)) : refuted(std::move(proof));
 }
 
+namespace {
+
+/// Whether a statement is about the number of factors of n letters alone.
+bool is_on_factors(const CountingStatement& says) {
+    static const auto first_place =
+        to_json(read_first_order("not for some j with j < i: equal(i, j, n)", "", "", {}));
+    return says.parts.size() == 1 && to_json(says.parts[0].places) == first_place;
+}
+
+/// A proof that the word of a primitive morphism has so many factors of n letters for all n >= from, where their number is linear from
+/// some n on; addition need not be regular. Nothing if it is not so or not known.
+std::optional<steps::ByBispecialFactors> by_bispecial_factors(const CountsInWord& said,
+                                                              const Budget& budget) {
+    const CountingStatement& says = *said.says;
+    if (!said.coding.empty() || !is_on_factors(says)) return std::nullopt;
+    try {
+        const D0L system = as_d0l(*said.system);
+        if (!primitivity(growth_matrix(system)).exponent) return std::nullopt;
+        const ComplexityForAll all =
+            complexity_for_all(system.rules, Numeration(system).letters().front(), budget);
+        const auto linear = all.linear();
+        if (!linear) return std::nullopt;
+        const Integer end = std::max(says.from, linear->from) + 1;
+        if (end > 1'000'000) return std::nullopt;  // numbers are tried one by one
+        for (Integer n = says.from; n <= end; n += 1)
+            if (!(says.parts[0].times * all.value(n) + says.slope * n + says.constant).is_zero())
+                return std::nullopt;
+        return steps::ByBispecialFactors{said.system->name, all.letters,      all.single,
+                                         linear->slope,     linear->constant, linear->from};
+    } catch (const Error&) {
+        return std::nullopt;  // it has no infinite word of its own
+    } catch (const BoundReached& bound) {
+        if (bound.bound() == Bound::time) throw;
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
 Answer judge_counts(const CountsInWord& said, const Alphabet& alphabet, const Budget& budget) {
+    if (auto proof = by_bispecial_factors(said, budget)) return proved(std::move(*proof));
     const AutomaticWord word = infinite_word(*said.system, said.coding, alphabet);
     const CountingAnswer found = decide_counting(*said.says, word, budget);
     steps::ByAutomata proof{said.system->name,      !found.fails, {},        0,

@@ -359,6 +359,22 @@ public:
         say("A" + automata + " decide it, the largest with " + number(said.largest) +
             (said.largest == 1 ? " state." : " states."));
     }
+    void operator()(const steps::ByBispecialFactors& said) {
+        std::string sums;
+        for (const auto& [n, sum] : said.sums)
+            sums += (sums.empty() ? "" : ", ") + std::to_string(sum) + " for " + to_string(n);
+        say("Cut into return words to its first letter, again and again, the infinite word of " +
+            marked(said.system) +
+            " comes back, so its bispecial factors are the images of finitely many. The sum of the "
+            "multiplicities of those of n letters, which is the second difference of the numbers "
+            "of factors, is 0 for all n" +
+            (sums.empty() ? "." : " but for these: " + sums + "."));
+        std::string linear = said.slope.is_zero() ? "" : to_string(said.slope) + " n";
+        if (linear.empty() || !said.constant.is_zero())
+            linear += (linear.empty() ? "" : " + ") + to_string(said.constant);
+        say("So " + number(said.letters) + " letters make " + marked(linear) +
+            " factors of n letters for all n from " + to_string(said.from) + " on.");
+    }
     void operator()(const steps::Falls& said) {
         say("Generation " + number(said.generation) + " of " + marked(said.system) + " has " +
             marked(to_string(said.before)) + " letters and the next one " +

@@ -7,6 +7,7 @@
 #include "exact/exact.hpp"
 #include "verify/detail/checking.hpp"
 #include "verify/detail/languages.hpp"
+#include "verify/detail/words.hpp"
 #include "verify/verify.hpp"
 #include "watch/watch.hpp"
 
@@ -132,6 +133,7 @@ const std::vector<Method>& methods() {
         {"morphism", {Kind::quantified}, holds, {"morphism"}, check_step_of_words},
         {"automata", {Kind::first_order}, either, {"addition"}, check_first_order},
         {"automata", {Kind::counts}, either, {"addition"}, check_counts},
+        {"bispecial", {Kind::counts}, holds, {"sums"}, check_bispecial},
         {"parts", {Kind::joint}, either, {"parts"}, check_parts},
         {"instance",
          {Kind::quantified},

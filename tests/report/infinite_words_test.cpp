@@ -367,9 +367,9 @@ TEST_CASE("words: every quantity of random morphisms is that of all windows") {
     CHECK(comparison.primitive * 10 >= wanted);
     CHECK(comparison.infinite * 3 >= wanted);
     CHECK(comparison.counts.size() == 15);
-    for (const auto& [name, count] : comparison.counts) {
-        INFO(name);
-        CHECK(count.systems * 20 >= wanted);
-        CHECK(count.values >= count.systems);
+    for (const auto& one : comparison.counts) {
+        INFO(one.first);
+        CHECK(one.second.systems * 20 >= wanted);
+        CHECK(one.second.values >= one.second.systems);
     }
 }

@@ -293,6 +293,15 @@ struct ByAutomata {
     std::size_t rows = 0;        // of the matrices, where places are counted
 };
 
+/// The number of factors of n letters of the infinite word of a system, by its bispecial factors: they make p(n) linear.
+struct ByBispecialFactors {
+    std::string system;
+    std::size_t letters = 0;
+    std::vector<std::pair<Integer, std::int64_t>>
+        sums;                       // p(n+2) - 2 p(n+1) + p(n) where it is not 0
+    Integer slope, constant, from;  // p(n) = slope n + constant for n >= from
+};
+
 struct Falls {
     std::string system;
     std::uint64_t generation = 0;
@@ -892,22 +901,23 @@ struct Proof {
         steps::DerivesNot, steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely,
         steps::SameSequence, steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth,
         steps::ComparedNumbers, steps::ByRecurrences, steps::StaysPositive, steps::Grows,
-        steps::Rises, steps::RisesByLetters, steps::Falls, steps::ByAutomata, steps::ComparedWords,
-        steps::ByMorphism, steps::LimitSet, steps::Identical, steps::SameValues,
-        steps::ValuesWithin, steps::OtherValues, steps::SameAutomata, steps::NothingOutside,
-        steps::Distinguished, steps::SameDeterministic, steps::WithinRegular, steps::ByInduction,
-        steps::SamePowers, steps::Invariant, steps::BothInclusions, steps::LinearSystems,
-        steps::ByFacts, steps::Counted, steps::NoWord, steps::FiniteConstruction, steps::FoundWord,
-        steps::Disjoint, steps::NoTerminals, steps::InfiniteRound, steps::Measured,
-        steps::InfiniteTables, steps::Pumped, steps::LongerPowers, steps::InfinitePart,
-        steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations,
-        steps::ContextFree, steps::PowersBeyond, steps::HasEmptyWord, steps::Sparse,
-        steps::FiniteFamily, steps::GeneratedBy, steps::ByClasses, steps::ByLengths, steps::Dense,
-        steps::LettersOnCycles, steps::LinearBlocks, steps::NotGeometric, steps::Proportional,
-        steps::OfReversal, steps::Constructed, steps::Code, steps::TwoFactorisations,
-        steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,
-        steps::ByCases, steps::ByFamilyRules, steps::AllSparse, steps::AllLonger, steps::ByLetters,
-        steps::ByEach, steps::ByDerivations, steps::WithinDeterministic, steps::SameProgressions,
+        steps::Rises, steps::RisesByLetters, steps::Falls, steps::ByAutomata,
+        steps::ByBispecialFactors, steps::ComparedWords, steps::ByMorphism, steps::LimitSet,
+        steps::Identical, steps::SameValues, steps::ValuesWithin, steps::OtherValues,
+        steps::SameAutomata, steps::NothingOutside, steps::Distinguished, steps::SameDeterministic,
+        steps::WithinRegular, steps::ByInduction, steps::SamePowers, steps::Invariant,
+        steps::BothInclusions, steps::LinearSystems, steps::ByFacts, steps::Counted, steps::NoWord,
+        steps::FiniteConstruction, steps::FoundWord, steps::Disjoint, steps::NoTerminals,
+        steps::InfiniteRound, steps::Measured, steps::InfiniteTables, steps::Pumped,
+        steps::LongerPowers, steps::InfinitePart, steps::InfiniteSize, steps::HasForm,
+        steps::FiniteOfFamily, steps::RegularOperations, steps::ContextFree, steps::PowersBeyond,
+        steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily, steps::GeneratedBy,
+        steps::ByClasses, steps::ByLengths, steps::Dense, steps::LettersOnCycles,
+        steps::LinearBlocks, steps::NotGeometric, steps::Proportional, steps::OfReversal,
+        steps::Constructed, steps::Code, steps::TwoFactorisations, steps::Beginning,
+        steps::Palindrome, steps::FromStatements, steps::ByInstance, steps::ByCases,
+        steps::ByFamilyRules, steps::AllSparse, steps::AllLonger, steps::ByLetters, steps::ByEach,
+        steps::ByDerivations, steps::WithinDeterministic, steps::SameProgressions,
         steps::RegularProgressions, steps::UnequalPowers, steps::ByRules>
         step;
 };

@@ -370,8 +370,11 @@ public:
             "of factors, is 0 for all n" +
             (sums.empty() ? "." : " but for these: " + sums + "."));
         std::string linear = said.slope.is_zero() ? "" : to_string(said.slope) + " n";
-        if (linear.empty() || !said.constant.is_zero())
-            linear += (linear.empty() ? "" : " + ") + to_string(said.constant);
+        if (linear.empty())
+            linear = to_string(said.constant);
+        else if (!said.constant.is_zero())
+            linear += said.constant > 0 ? " + " + to_string(said.constant)
+                                        : " - " + to_string(-said.constant);
         say("So " + number(said.letters) + " letters make " + marked(linear) +
             " factors of n letters for all n from " + to_string(said.from) + " on.");
     }

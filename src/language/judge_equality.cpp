@@ -295,6 +295,7 @@ private:
     /// Where the right system has all rules of the left one, and derives its axiom.
     std::optional<Answer> by_rules() const {
         if (left_->kind != Kind::generated || right_->kind != Kind::generated) return std::nullopt;
+        if (is_d0l(left_) && is_d0l(right_)) return std::nullopt;  // which are decided
         const SourceSystem &left = *left_->system, &right = *right_->system;
         SourceSystem any = right;  // in which every letter is a terminal
         Word axiom;

@@ -14,10 +14,10 @@ using namespace algae;
 
 namespace {
 
-/// Runs `algae ...` of a lesson in a folder, as a shell there would.
+/// Runs `algae ...` of a lesson in a folder, as a shell there would. On a busy machine nothing says how far it is.
 Run run_in(const Scratch& folder, const std::string& command) {
     return run(command.substr(std::string("algae ").size()),
-               "cd '" + folder.path().string() + "' &&");
+               "cd '" + folder.path().string() + "' && ALGAE_PROGRESS=1000000");
 }
 
 /// Whether the lines are those printed, where a line `...` stands for any lines.

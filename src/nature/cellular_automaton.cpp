@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "nature/detail/cells.hpp"
 #include "nature/detail/figures.hpp"
@@ -343,10 +344,11 @@ CellDevelopment::CellDevelopment(CellDevelopment&&) noexcept = default;
 void CellDevelopment::step(std::uint64_t n, const Budget& budget) {
     constexpr std::uint64_t work_between_checks = 1 << 20;
     std::uint64_t work = 0;
-    WorkCount generations("generation", n);
+    std::optional<WorkCount> generations;
+    if (n > 1) generations.emplace("generation", n);  // who steps one by one counts
     for (std::uint64_t i = 0; i < n; ++i) {
         engine_->step();
-        generations.at(i + 1);
+        if (generations) generations->at(i + 1);
         if ((work += engine_->work()) < work_between_checks) continue;
         budget.check();
         work = 0;
@@ -486,7 +488,9 @@ CellGrid CellularAutomaton::space_time(std::uint64_t first, std::uint64_t last,
     CellGrid all(start.columns, last - first + 1, budget);
     CellDevelopment development(rule, start, boundary);
     development.step(first, budget);
+    WorkCount generations("generation", last);
     for (std::uint64_t n = first; n <= last; ++n) {
+        generations.at(n);
         const CellGrid row = development.grid();
         std::copy(row.cells.begin(), row.cells.end(),
                   all.cells.begin() + static_cast<std::ptrdiff_t>((n - first) * start.columns));
@@ -550,7 +554,9 @@ std::vector<GeneratorFact> CellularAutomaton::facts(const Budget& budget) const 
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     CellDevelopment development(rule, start, boundary);
     const std::uint64_t last = std::min(generations.back(), most_counted);
+    WorkCount counted("generation", last);
     for (std::uint64_t n = 0; n <= last; ++n) {
+        counted.at(n);
         const std::size_t count = alive(development.grid());
         all.push_back(count);
         if (n <= most_listed) counts += (n ? ", " : "") + std::to_string(count);

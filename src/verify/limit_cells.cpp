@@ -440,8 +440,7 @@ Blocks blocks_of(const Parts& parts, std::uint64_t levels) {
 class PairsInCells {
 public:
     PairsInCells(Parts& parts, std::uint64_t levels, std::uint64_t across, const Budget& budget)
-        : parts_(parts),
-          set_(parts.set()),
+        : set_(parts.set()),
           across_(static_cast<std::int64_t>(across)),
           budget_(budget),
           blocks_(blocks_of(parts, levels)) {
@@ -618,7 +617,6 @@ private:
         if (k + 1 == cells_.size()) begins_.push_back(targets_.size());
     }
 
-    Parts& parts_;
     const LimitSet& set_;
     std::int64_t across_;
     const Budget& budget_;

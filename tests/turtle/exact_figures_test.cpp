@@ -33,7 +33,7 @@ TEST_CASE("a figure does not show what doubles alone derive") {
     // Doubles have no number between 0 and 2^-1074: with them A becomes B in step 109.
     const Model system =
         read_lsystem("axiom A(1); A(x) : x > 0 -> A(x/1024)F; A(x) : x = 0 -> B", "x");
-    for (const std::uint64_t n : {108, 109, 110, 125, 190}) {
+    for (const std::uint64_t n : {108U, 109U, 110U, 125U, 190U}) {
         const DerivedModules derived = derived_modules(system, n, {});
         CHECK(derived.rounded.empty());
         CHECK(!has(system, derived, "B"));

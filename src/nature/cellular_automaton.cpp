@@ -488,9 +488,9 @@ CellGrid CellularAutomaton::space_time(std::uint64_t first, std::uint64_t last,
     CellGrid all(start.columns, last - first + 1, budget);
     CellDevelopment development(rule, start, boundary);
     development.step(first, budget);
-    WorkCount generations("generation", last);
+    WorkCount counted("generation", last);
     for (std::uint64_t n = first; n <= last; ++n) {
-        generations.at(n);
+        counted.at(n);
         const CellGrid row = development.grid();
         std::copy(row.cells.begin(), row.cells.end(),
                   all.cells.begin() + static_cast<std::ptrdiff_t>((n - first) * start.columns));

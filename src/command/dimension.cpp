@@ -339,7 +339,7 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const Model& sys
 
 /// Where the time is bounded, few cells in few grids come first, and are kept when it is over.
 LimitMeasure measured_in_time(const ExactDimension& exact, const LimitCounting& counting,
-                              const Budget& budget) {
+                              bool& late, const Budget& budget) {
     if (!budget.deadline) return measure_limit(exact, counting, budget);
     LimitCounting quick = counting;
     quick.places = std::min<std::size_t>(counting.places, 4);
@@ -349,6 +349,8 @@ LimitMeasure measured_in_time(const ExactDimension& exact, const LimitCounting& 
         return measure_limit(exact, counting, budget);
     } catch (const BoundReached& bound) {
         if (bound.bound() != Bound::time) throw;
+        first.fit.because += std::string("; in fewer cells than usual: ") + bound.what();
+        late = true;
         return first;
     }
 }
@@ -358,8 +360,8 @@ DimensionReport measure_limit(const Model& system, const ExactDimension& exact,
                               const Options& options, const Budget& budget) {
     LimitCounting counting;
     counting.places = options.places();
-    LimitMeasure measure = measured_in_time(exact, counting, budget);
     DimensionReport found;
+    LimitMeasure measure = measured_in_time(exact, counting, found.late, budget);
     found.what =
         (system.title.empty() ? system.name : system.title) + ", the limit of all generations";
     found.counts = std::move(measure.counts.boxes);

@@ -204,14 +204,11 @@ Budget for_at_most(std::chrono::steady_clock::duration time, Budget budget) {
 
 bool is_time(const BoundReached& bound) { return bound.bound() == Bound::time; }
 
-/// What the rules say without the search for parts that coincide, whose time is over.
-ExactDimension unfinished_dimension(const Model& system, const BoundReached& over,
-                                    const Budget& budget) {
-    ExactDimension found = dimension_bound(system, budget);
-    if (found.status != Found::upper_bound) return found;
+/// Says of an upper bound that the time of the search for parts that coincide was over; of what the rules alone decide, nothing.
+void leave_open(ExactDimension& found, const BoundReached& over) {
+    if (found.status != Found::upper_bound) return;
     found.status = Found::unfinished;
     found.conditions.back() = std::string("whether parts coincide is not known: ") + over.what();
-    return found;
 }
 
 /// The exact value of a row in at most a third of the time that is left, so that others have time too; the bound where
@@ -222,7 +219,9 @@ ExactDimension exact_in_row(const Model& system, const Budget& budget) {
         return exact_dimension(system, for_at_most(std::chrono::hours(1), budget));
     } catch (const BoundReached& bound) {
         if (!is_time(bound)) throw;
-        return unfinished_dimension(system, bound, budget);
+        ExactDimension found = dimension_bound(system, budget);
+        leave_open(found, bound);
+        return found;
     }
 }
 
@@ -502,9 +501,7 @@ DimensionReport measured(const Model& system, const Options& options, const Budg
         found.exact = exact_dimension(system, budget);
     } catch (const BoundReached& bound) {
         if (!is_time(bound)) throw;
-        found.exact->status = ExactDimension::Status::unfinished;
-        found.exact->conditions.back() =
-            std::string("whether parts coincide is not known: ") + bound.what();
+        leave_open(*found.exact, bound);
     }
     return found;
 }

@@ -15,7 +15,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -54,6 +53,11 @@ const GalleryEntry* find_system(const std::string& name) {
 
 }  // namespace
 
+void throw_unreadable(const std::string& name, std::error_code reason) {
+    if (reason == std::errc::not_enough_memory) throw std::bad_alloc();
+    throw Error("cannot read " + name + ": " + reason.message());
+}
+
 std::function<std::size_t(char*, std::size_t)> file_source(const std::string& path,
                                                            const Budget& budget) {
     std::error_code ignored;
@@ -62,8 +66,9 @@ std::function<std::size_t(char*, std::size_t)> file_source(const std::string& pa
     const std::shared_ptr<std::FILE> file =
         path == "-" ? std::shared_ptr<std::FILE>(stdin, [](std::FILE*) {})
                     : std::shared_ptr<std::FILE>(std::fopen(path.c_str(), "rb"), Closer());
+    const int refused = errno;
     budget.check();
-    if (!file) throw Error("cannot read " + path + ": " + std::strerror(errno));
+    if (!file) throw_unreadable(path, {refused, std::generic_category()});
     if (path != "-") keep_input(path);
     return
         [file, &budget, name = path == "-" ? "standard input" : path](char* to, std::size_t most) {
@@ -73,7 +78,7 @@ std::function<std::size_t(char*, std::size_t)> file_source(const std::string& pa
             const int reason = errno;
             if (count == 0) budget.check();  // reading that waited was interrupted
             if (count == 0 && std::ferror(file.get()))
-                throw Error("cannot read " + name + ": " + std::strerror(reason));
+                throw_unreadable(name, {reason, std::generic_category()});
             return count;
         };
 }
@@ -340,7 +345,7 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
     namespace fs = std::filesystem;
     std::vector<fs::path> files, folders{folder};
     const auto check = [](const fs::path& path, const std::error_code& failed) {
-        if (failed) throw Error("cannot read " + path.string() + ": " + failed.message());
+        if (failed) throw_unreadable(path.string(), failed);
     };
     while (!folders.empty()) {
         const fs::path above = std::move(folders.back());

@@ -73,11 +73,11 @@ enum class Form { text, json, latex };
 
 Form form_of(bool json, bool latex) { return json ? Form::json : latex ? Form::latex : Form::text; }
 
-/// The answer to a question, decided as a claim and in its sentences. `fields`: of the JSON, before the others.
-int answer_as_claim(Claim claim, Statement statement, std::string text, const std::string& file,
-                    Form form, const std::function<Json(Truth)>& fields, const Budget& budget) {
+/// Prints the answer to a question, in the sentences of the claim that it was decided as. `fields`: of the JSON, before the others.
+int say_answer(Answer found, Claim claim, Statement statement, std::string text,
+               const std::string& file, Form form, const std::function<Json(Truth)>& fields,
+               const Budget& budget) {
     const Alphabet alphabet = *claim.alphabet;
-    Answer found = decide(statement, claim, budget);
     const std::vector<std::string> argument = sentences(found, alphabet);
     std::string shown = found.truth == Truth::proved    ? "yes: "
                         : found.truth == Truth::refuted ? "no: "
@@ -96,6 +96,13 @@ int answer_as_claim(Claim claim, Statement statement, std::string text, const st
                           std::move(found));
     print(shown);
     return status_of(truth);
+}
+
+int answer_as_claim(Claim claim, Statement statement, std::string text, const std::string& file,
+                    Form form, const std::function<Json(Truth)>& fields, const Budget& budget) {
+    Answer found = decide(statement, claim, budget);
+    return say_answer(std::move(found), std::move(claim), std::move(statement), std::move(text),
+                      file, form, fields, budget);
 }
 
 /// true, false, or null where it is undecided.
@@ -184,6 +191,18 @@ void print_derivations(const MemberOptions& options, std::optional<std::uint64_t
     print(options.json ? out.text() : text);
 }
 
+/// Prints that a word is first in the language after so many steps, and its derivation if there is one.
+template <class System>
+void print_member(bool json, std::uint64_t steps, const std::optional<Derivation>& derivation,
+                  const System& system, const Word& word) {
+    Json out{{"member", true}, {"step", steps}};
+    if (derivation) out.set("derivation", to_json(*derivation, system));
+    print(json ? out.text()
+               : "yes: " + spell(*system.alphabet, word) +
+                     " is in the language, first in generation " + std::to_string(steps) + '\n' +
+                     (derivation ? to_text(*derivation, system) : ""));
+}
+
 /// The claim about L(A) for a system A, and that it has the word.
 std::pair<Claim, Statement> claim_of_member(const Model& system, const Word& word,
                                             const Alphabet& alphabet) {
@@ -209,29 +228,34 @@ int member_with_context(const MemberOptions& options, const Model& system, const
     const ModuleWord read = read_word(options.word, alphabet);
     if (!read.arguments.empty())
         throw Error("WORD has parameters, and the words of a system without parameters have none");
-    auto [claim, said] = claim_of_member(system, read.letters, alphabet);
-    std::string text = spell(alphabet, read.letters) + " in L(A)";
-    if (options.count || options.all) {
-        Answer found = decide(said, claim, budget);
-        if (found.truth == Truth::proved) {
-            const View<IL> rules = as_il(system);
-            const auto own = std::make_shared<const Alphabet>(alphabet);
-            print_derivations(options, std::nullopt, over(*rules, own), read.letters, budget);
-            write_certificate(options.certificate, std::move(claim), std::move(said),
-                              std::move(text), budget, std::move(found));
-            return success;
+    const Word& word = read.letters;
+    auto [claim, said] = claim_of_member(system, word, alphabet);
+    std::string text = spell(alphabet, word) + " in L(A)";
+    Answer found = decide(said, claim, budget);
+    if (found.truth == Truth::proved && !options.latex) {
+        const View<IL> rules = as_il(system);
+        const IL own = over(*rules, std::make_shared<const Alphabet>(alphabet));
+        if (options.count || options.all) {
+            print_derivations(options, std::nullopt, own, word, budget);
+        } else {
+            std::optional<Derivation> shortest = shortest_derivation(own, word, budget);
+            const std::uint64_t steps = shortest->words.size() - 1;
+            if (options.brief) shortest.reset();
+            print_member(options.json, steps, shortest, own, word);
         }
+        write_certificate(options.certificate, std::move(claim), std::move(said), std::move(text),
+                          budget, std::move(found));
+        return success;
     }
-    return answer_as_claim(
-        std::move(claim), std::move(said), std::move(text), options.certificate,
-        form_of(options.json, options.latex),
-        [&](Truth truth) {
-            Json out{{"member", known(truth)}};
-            if (truth == Truth::refuted && options.count)
-                out.update(to_json(DerivationCounts{{}, Integer(0)}));
-            return out;
-        },
-        budget);
+    const auto fields = [&](Truth truth) {
+        Json out{{"member", known(truth)}};
+        if (truth == Truth::refuted) out.set("step", Json());
+        if (truth == Truth::refuted && options.count)
+            out.update(to_json(DerivationCounts{{}, Integer(0)}));
+        return out;
+    };
+    return say_answer(std::move(found), std::move(claim), std::move(said), std::move(text),
+                      options.certificate, form_of(options.json, options.latex), fields, budget);
 }
 
 int member(const MemberOptions& options) {
@@ -254,21 +278,17 @@ int member(const MemberOptions& options) {
     std::optional<Derivation> witness;
     if (found.member && !options.brief) witness = derivation(*system, word, found, budget);
     certify_member(options, written, word, alphabet, budget);
-    const std::string text = spell(alphabet, word);
-    if (options.json) {
-        Json out{{"member", found.member}};
-        out.set("step", found.member ? Json(found.step) : Json());
-        if (witness) out.set("derivation", to_json(*witness, *system));
-        if (!found.member) out.set("reason", reason(found, alphabet, word));
-        if (!found.member && options.count) out.update(to_json(DerivationCounts{{}, Integer(0)}));
-        print(out.text());
-    } else if (found.member && options.latex) {
+    if (found.member && options.latex) {
         print(derivation_latex(witness->words, *system->alphabet));
     } else if (found.member) {
-        print("yes: " + text + " is in the language, first in " + "generation " +
-              std::to_string(found.step) + '\n' + (witness ? to_text(*witness, *system) : ""));
+        print_member(options.json, found.step, witness, *system, word);
+    } else if (options.json) {
+        Json out{{"member", false}, {"step", nullptr}, {"reason", reason(found, alphabet, word)}};
+        if (options.count) out.update(to_json(DerivationCounts{{}, Integer(0)}));
+        print(out.text());
     } else {
-        print("no: " + text + " is not in the language: " + reason(found, alphabet, word) + '\n');
+        print("no: " + spell(alphabet, word) +
+              " is not in the language: " + reason(found, alphabet, word) + '\n');
     }
     return found.member ? success : refuted;
 }

@@ -283,7 +283,7 @@ std::vector<std::string> answers_in(const std::string& folder) {
         const std::string name = entry.path().filename().string();
         if (!name.starts_with('.') && !entry.is_directory()) names.push_back(name);
     }
-    if (failed) throw Error("cannot read the folder " + folder + ": " + failed.message());
+    if (failed) throw_unreadable("the folder " + folder, failed);
     if (names.empty()) throw Error(folder + ": expected files with answers, found none");
     std::ranges::sort(names);
     return names;

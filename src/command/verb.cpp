@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
@@ -419,6 +420,11 @@ int Verbs::run(int argc, char** argv) {
     std::vector<std::string> names;
     for (const Verb& verb : all) names.push_back(verb.name);
     const std::string word = argv[1];
+    if (word == "help" && argc <= 3) {  // as if --help had been said, of a verb or of all
+        char option[] = "--help";
+        std::array<char*, 3> said{argv[0], argc == 3 ? argv[2] : option, option};
+        return run(argc, said.data());
+    }
     if (!word.starts_with('-') && !std::ranges::count(names, word))
         throw Error("no verb " + word + did_you_mean(word, names) + "; `algae --help` lists them");
     if (word.starts_with('-') && word != "-h" && word != "--help" && word != "--version")

@@ -190,6 +190,11 @@ struct ExactDimension {
     std::optional<DimensionFormula> boundary;
     /// The rate at which pairs of parts that meet multiply, where there are finitely many ways.
     std::optional<Rate> meeting;
+    /// Whether discs about points of the limit hold as much as their radius to the power of the dimension, up to a factor (Ahlfors
+    /// regular), as is proved where all its parts are of one component and none coincide. Then the Assouad and the lower dimension
+    /// are the same, and the Hausdorff measure of the dimension is positive and finite (Fraser, Assouad Dimension and Fractal
+    /// Geometry, 2020, section 6.4). If false, nothing is known of them.
+    bool is_regular = false;
     /// The parts of the limit, where they were found; its generations can be measured on them.
     std::shared_ptr<const RecurrentSet> limit;
     /// What was verified, or could not be, in sentences.

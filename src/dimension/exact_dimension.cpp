@@ -170,6 +170,7 @@ public:
         out_.status = certain ? Status::exact : Status::upper_bound;
         out_.value = certain ? LogRatio(*best, ratio_) : *out_.similarity;
         if (!certain || meets_unknown_) out_.meeting.reset();
+        if (!certain) out_.is_regular = false;
         if (certain && out_.value->rational() == Rational(2)) find_boundary();
         return out_;
     }
@@ -214,6 +215,7 @@ private:
                                           counted(neighbours.pairs().size(), "way") +
                                           "; no two coincide, so all of them count");
                 find_meeting(neighbours, all);
+                out_.is_regular = is_alone(component);
                 return all;
             }
             const DistinctGrowth distinct =
@@ -228,6 +230,16 @@ private:
                                       bound.what());
             return std::nullopt;
         }
+    }
+
+    /// Whether all that is drawn for ever comes from this component: then a piece of a level that has been reached is of it, but for
+    /// the first levels.
+    bool is_alone(std::size_t component) const {
+        const auto& list = set_.components().list;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            if (k != component && list[k].rate && set_.is_reached(list[k].letters.front()))
+                return false;
+        return true;
     }
 
     void find_meeting(const Neighbours& neighbours, const Rate& rate) {

@@ -249,6 +249,11 @@ private:
     Answer image(const Language& language, const Word& word) {
         const LanguageTree& tree = *language;
         const Language& part = tree.parts[0];
+        if (has_context(part))  // its first words are found sooner than others are left out
+            for (const Word& source : first_words(*part, budget_))
+                if (tree.morphism.image_of(source) == word &&
+                    judge(part, source).truth == Truth::proved)
+                    return proved(steps::HasPreimage{language, word, source});
         const RegularLanguage sources = algae::inverse_image(
             finite_set({word}), tree.morphism.images(), tree.morphism.domain());
         const auto count = number_of_words(sources);

@@ -144,7 +144,8 @@ std::optional<Answer> disjoint(const Language& language, const Alphabet& alphabe
     return std::nullopt;
 }
 
-/// Some short words that may be in the language: the first ones of systems with context, and what operations make of such.
+}  // namespace
+
 std::vector<Word> first_words(const LanguageTree& tree, const Budget& budget) {
     constexpr std::size_t first = 40, longest = 20, most_factors = 5;
     std::vector<Word> words;
@@ -172,6 +173,9 @@ std::vector<Word> first_words(const LanguageTree& tree, const Budget& budget) {
                 words.push_back(one);
                 words.back().insert(words.back().end(), other.begin(), other.end());
             }
+    } else if (tree.kind == Kind::image) {
+        for (const Word& word : first_words(*tree.parts[0], budget))
+            if (auto image = tree.morphism.image_of(word)) words.push_back(std::move(*image));
     } else {
         for (const Language& part : tree.parts)
             for (Word& word : first_words(*part, budget)) {
@@ -181,8 +185,6 @@ std::vector<Word> first_words(const LanguageTree& tree, const Budget& budget) {
     }
     return words;
 }
-
-}  // namespace
 
 Answer judge_finite(const Language& language, const Alphabet& alphabet, const Budget& budget) {
     if (const auto known = finite_value(language, alphabet, budget))

@@ -41,6 +41,12 @@ std::string several(std::uint64_t count, const std::string& noun) {
     return number(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
+/// "none of the 3 words of the language is it", "the only word of the language is another".
+std::string none_of(std::uint64_t count, const std::string& which) {
+    return count == 1 ? "the only word" + which + " is another"
+                      : "none of the " + number(count) + " words" + which + " is it";
+}
+
 /// "generation 0 is", "generations 0 to 3 are": those before a number that is not 0.
 std::string generations(std::uint64_t end) {
     return end == 1 ? "generation " + number(0) + " is"
@@ -1278,11 +1284,10 @@ private:
                        " families of factors has it";
             case short_words:
                 if (found.states == 0) return "no rule erases, and the axiom is longer";
-                return "no rule erases, so words do not get shorter, and none of the " +
-                       number(found.states) + " words with at most " +
-                       several(word.size(), "letter") + " is it";
+                return "no rule erases, so words do not get shorter, and " +
+                       none_of(found.states, " with at most " + several(word.size(), "letter"));
             case all_words:
-                return "none of the " + number(found.states) + " words of the language is it";
+                return none_of(found.states, " of the language");
             default:
                 return "the factors of it that the letters derive in " +
                        several(found.step, "step") + " are those that they derive in " +

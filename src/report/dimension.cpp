@@ -126,6 +126,12 @@ Json exact_json(const ExactDimension& exact) {
     json.set("conditions", exact.conditions);
     json.set("similarity", formula_json(exact.similarity));
     json.set("boundary", formula_json(exact.boundary));
+    // The packing dimension lies between those of Hausdorff and of boxes.
+    json.set("packing",
+             exact.status == ExactDimension::Status::exact ? formula_json(exact.value) : Json());
+    for (const char* const dimension : {"assouad", "lower"})
+        json.set(dimension, exact.is_regular ? formula_json(exact.value) : Json());
+    json.set("hausdorff_measure", exact.is_regular ? Json("positive and finite") : Json());
     return json;
 }
 
@@ -154,6 +160,10 @@ std::string exact_page(const ExactDimension& exact) {
     if (exact.value && exact.similarity && exact.similarity->text() != exact.value->text())
         text += line("with multiplicity, too large: ", *exact.similarity);
     if (exact.boundary) text += line("boundary: ", *exact.boundary);
+    if (exact.is_regular)
+        text +=
+            "the Assouad and the lower dimension are the same, and the Hausdorff measure is "
+            "positive and finite\n";
     return text + "\n";
 }
 

@@ -25,7 +25,16 @@ TEST_CASE("all words of a system with context and choices") {
 TEST_CASE("member and finite take systems with context") {
     const Run in = run("member - bbb", choices);
     CHECK(in.status == 0);
-    CHECK(in.out == "yes: bbb is in L(A): ab => aab => abb => bbb.\n");
+    CHECK(in.out.starts_with("yes: bbb is in the language, first in generation 3\n"));
+    CHECK(in.out.ends_with("     3  bbb\n"));
+    CHECK(run("member - bbb --brief", choices).out ==
+          "yes: bbb is in the language, first in generation 3\n");
+    const auto found = nlohmann::json::parse(run("member - bbb --json", choices).out);
+    CHECK(found["step"] == 3);
+    REQUIRE(found["derivation"].size() == 4);
+    CHECK(found["derivation"][3]["word"] == "bbb");
+    CHECK_FALSE(nlohmann::json::parse(run("member - bbb --json --brief", choices).out)
+                    .contains("derivation"));
     const Run out = run("member - ba", choices);
     CHECK(out.status == 1);
     CHECK(out.out ==

@@ -102,6 +102,23 @@ TEST_CASE("where parts coincide, the value with multiplicity is said beside the 
           "parts coincide; different ones, told apart by 1 kind of surroundings, multiply by 6");
 }
 
+TEST_CASE("a limit is regular where its parts are of one component and none coincide") {
+    const auto is_regular = [](const char* text) {
+        const ExactDimension found = exact_dimension(read_lsystem(text, ""));
+        CHECK(found.status == Status::exact);
+        return found.is_regular;
+    };
+    CHECK(is_regular("axiom F; F -> F+F--F+F; angle 60"));
+    CHECK(
+        is_regular("axiom A; A -> A-B--B+A++AA+B-; B -> +A-BB--B-A++A+B; interpret A -> F; "
+                   "interpret B -> F; angle 60"));
+    CHECK(is_regular("axiom F++F; F -> FfF; f -> fff; angle 90"));  // Cantor's set, twice
+    // Parts of the first coincide; twigs and stems of a plant, and a line beside Koch's curve, have dimensions of their own.
+    CHECK_FALSE(is_regular("axiom F-F-F-F; F -> FF-F-F-F-F-F+F; angle 90"));
+    CHECK_FALSE(is_regular("axiom X; X -> F[+X][-X]FX; F -> FF; angle 90; interpret X -> F"));
+    CHECK_FALSE(is_regular("axiom F+G; F -> F+F--F+F; G -> GGG; angle 60"));
+}
+
 TEST_CASE("a plant whose twigs meet in ever new ways has an upper bound only") {
     const ExactDimension found =
         exact_dimension(read_lsystem("axiom X; X -> F[+X]F[-X]+X; F -> FF; angle 20", ""));

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <optional>
 #include <set>
@@ -178,6 +179,51 @@ TEST_CASE("different parts are as many as those of words written out on a lattic
     CHECK(with_coincidences >= 2);
     MESSAGE(looked_at, " systems, ", with_coincidences, " with parts that coincide, ", with_phases,
             " with several phases");
+}
+
+TEST_CASE(
+    "a regular limit has one component of letters, and no parts of it coincide on a lattice") {
+    int regular = 0, others = 0;
+    CHECK(rc::check([&] {
+        const LatticeSystem written = *any_lattice_system();
+        const Model system = read_lsystem(written.text(), "random");
+        const ExactDimension found = exact_dimension(system, {}, 500);
+        if (found.status != ExactDimension::Status::exact) return;
+        if (!found.is_regular) {
+            ++others;
+            return;
+        }
+        ++regular;
+        const auto analysis = Analysis::of(system);
+        RC_ASSERT(analysis.has_value());
+        const LatticeParts parts(written);
+        // f draws where F or G come from it.
+        const std::string own = parts.companions('F');
+        std::set<char> reached{'F'};
+        for (std::size_t before = 0; before != reached.size();) {
+            before = reached.size();
+            for (const char letter : std::set<char>(reached))
+                for (const char next : written.successors.at(letter))
+                    if (std::isalpha(next)) reached.insert(next);
+        }
+        for (const char letter : reached) {
+            const std::string companions = parts.companions(letter);
+            const bool draws = companions.find_first_of("FG") != std::string::npos;
+            if (draws)
+                RC_ASSERT(std::set(companions.begin(), companions.end()) ==
+                          std::set(own.begin(), own.end()));
+        }
+        const std::size_t phase = analysis->phase(analysis->piece());
+        const char letter = analysis->letter(system, analysis->piece());
+        for (unsigned n = 0; n <= short_enough(written, 8'000); ++n) {
+            const auto all = parts.parts(
+                letter, n, analysis->generation(analysis->phase_below(phase, n), 1), own);
+            RC_ASSERT(std::set<LatticePart>(all.begin(), all.end()).size() == all.size());
+        }
+    }));
+    CHECK(regular >= 15);
+    CHECK(others >= 5);
+    MESSAGE(regular, " regular limits, ", others, " others");
 }
 
 TEST_CASE("pairs of parts meet exactly if their parts come near again and again") {

@@ -2,6 +2,8 @@
 // fails in one of several ways, or the n-th call that changes a file is the last.
 //
 //   ALGAE_FAULT=memory:N      allocation number N since main gives nothing
+//   ALGAE_FAULT=memory:each:N:M   that of allocation N, N + M, N + 2M ... up to the first write or change of a file: at each of these the
+//                             process forks, the allocation fails in the child, and the parent goes on when it is told to (see fork_here)
 //   ALGAE_FAULT=full:N        write number N fails: no space is left
 //   ALGAE_FAULT=broken:N      write number N fails: the device does not answer
 //   ALGAE_FAULT=short:N       write number N writes one byte only
@@ -11,6 +13,8 @@
 // Where an allocation fails, the file ALGAE_FAULT_FAILED has a line for each frame of the stack, from the inside outwards: the name of the
 // program or library, a blank, and the name of the function where it is known. Where the program crashes, ALGAE_FAULT_CRASH has the same.
 //
+// With faults of memory no thread begins, as the child of a fork has none, and as allocations of two threads have no order.
+//
 // glibc's own names of its functions are called, so no call is needed to find them.
 
 #define _GNU_SOURCE
@@ -18,6 +22,7 @@
 #include <errno.h>
 #include <execinfo.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,6 +32,7 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 extern void* __libc_malloc(size_t);
@@ -39,6 +45,7 @@ static enum Kind kind = nothing;
 static long wanted = 0;
 static long count = 0;  // of calls of the kind
 static int in_main = 0;
+static long step = 0;  // forks at each step-th allocation; 0 if it does not fork
 
 static int is_due(void) { return __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED) == wanted; }
 
@@ -69,8 +76,60 @@ static void write_frames(const char* variable) {
     in_main = was_in_main;
 }
 
+/// The child of a fork at this allocation returns 1, with its output and its messages in the files of ALGAE_FAULT_OUT and
+/// ALGAE_FAULT_ERR. The parent writes "NUMBER STATUS" to descriptor 198 when the child has ended, as wait tells it, returns 0 when it reads
+/// a byte from 199, and ends where there is none.
+static int fork_here(void) {
+    in_main = 0;
+    off_t places[64];  // of reading, which the two processes share
+    for (int file = 3; file < 64; ++file) places[file] = lseek(file, 0, SEEK_CUR);
+    const pid_t child = fork();
+    if (child == 0) {
+        step = 0;
+        kind = nothing;
+        close(198);
+        close(199);
+        alarm(20);
+        const char* const paths[] = {getenv("ALGAE_FAULT_OUT"), getenv("ALGAE_FAULT_ERR")};
+        for (int i = 0; i < 2; ++i) {
+            const int file = (int)syscall(SYS_openat, AT_FDCWD, paths[i] ? paths[i] : "/dev/null",
+                                          O_WRONLY | O_CREAT | O_TRUNC, 0666);
+            dup2(file, 1 + i);
+            close(file);
+        }
+        in_main = 1;
+        return 1;
+    }
+    int status = -1;
+    if (child > 0) waitpid(child, &status, 0);
+    for (int file = 3; file < 64; ++file)
+        if (places[file] >= 0) lseek(file, places[file], SEEK_SET);
+    char text[64];
+    const int length = snprintf(text, sizeof text, "%ld %d\n", count, status);
+    char go;
+    if (syscall(SYS_write, 198, text, (size_t)length) != length ||
+        syscall(SYS_read, 199, &go, (size_t)1) != 1)
+        _exit(0);
+    in_main = 1;
+    return 0;
+}
+
+/// Before the first write: what follows cannot be tried by forks, which would share the files.
+static void end_forks(void) {
+    if (!in_main || step == 0) return;
+    char text[64];
+    const int length = snprintf(text, sizeof text, "end %ld\n", count);
+    syscall(SYS_write, 198, text, (size_t)length);
+    _exit(0);
+}
+
+static int is_failing(void) {
+    if (step == 0) return is_due();
+    return ++count >= wanted && (count - wanted) % step == 0 && fork_here();
+}
+
 static int no_memory(void) {
-    if (!in_main || kind != memory || !is_due()) return 0;
+    if (!in_main || kind != memory || !is_failing()) return 0;
     write_frames("ALGAE_FAULT_FAILED");
     errno = ENOMEM;
     return 1;
@@ -98,6 +157,7 @@ static void kill_if_due(void) {
 
 /// What a write of some bytes does instead: 0 nothing else, -1 it fails, 1 it is short.
 static int change_of_write(int file) {
+    if (file != STDERR_FILENO) end_forks();
     kill_if_due();
     if (!in_main || file == STDERR_FILENO || kind < full || kind == killed || !is_due()) return 0;
     if (kind == shortened) return 1;
@@ -122,6 +182,7 @@ int rename(const char* from, const char* to) {
     return change_of_write(-1) < 0 ? -1 : (int)syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0);
 }
 int unlink(const char* path) {
+    end_forks();
     kill_if_due();
     return (int)syscall(SYS_unlinkat, AT_FDCWD, path, 0);
 }
@@ -130,7 +191,10 @@ int open(const char* path, int flags, ...) {
     va_start(arguments, flags);
     const mode_t mode = flags & O_CREAT ? va_arg(arguments, mode_t) : 0;
     va_end(arguments);
-    if (flags & O_CREAT) kill_if_due();
+    if (flags & O_CREAT) {
+        end_forks();
+        kill_if_due();
+    }
     return (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
 }
 
@@ -168,10 +232,18 @@ static void watch_crashes(void) {
         sigaction(crashes[i], &action, NULL);
 }
 
+int pthread_create(pthread_t* made, const pthread_attr_t* how, void* (*work)(void*), void* given) {
+    static int (*next)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+    if (kind == memory) return EAGAIN;
+    if (!next) *(void**)&next = dlsym(RTLD_NEXT, "pthread_create");
+    return next(made, how, work, given);
+}
+
 static int (*real_main)(int, char**, char**);
 static int counted_main(int number, char** arguments, char** environment) {
     in_main = 1;
     const int status = real_main(number, arguments, environment);
+    end_forks();
     write_count();
     return status;
 }
@@ -186,6 +258,7 @@ int __libc_start_main(int (*main)(int, char**, char**), int number, char** argum
             kind = (enum Kind)i;
             wanted = atol(said + strlen(names[i]));
         }
+    if (said && sscanf(said, "memory:each:%ld:%ld", &wanted, &step) == 2) kind = memory;
     if (said) watch_crashes();
     real_main = main;
     int (*next)(int (*)(int, char**, char**), int, char**, void (*)(void), void (*)(void),

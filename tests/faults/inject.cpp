@@ -105,32 +105,49 @@ public:
 
     /// The exit status, 128 + the signal, or -1 after 20 seconds.
     int run(const std::string& fault) {
-        if (!output_.empty()) std::ofstream(output_) << old;
-        unlink((folder_ + "/count").c_str());
-        unlink((folder_ + "/crash").c_str());
-        unlink((folder_ + "/failed").c_str());
+        prepare();
         const pid_t child = fork();
         if (child == 0) {
-            setenv("LD_PRELOAD", library_.c_str(), 1);
-            setenv("ALGAE_FAULT", fault.c_str(), 1);
-            setenv("ALGAE_FAULT_COUNT", (folder_ + "/count").c_str(), 1);
-            setenv("ALGAE_FAULT_CRASH", (folder_ + "/crash").c_str(), 1);
-            setenv("ALGAE_FAULT_FAILED", (folder_ + "/failed").c_str(), 1);
-            const int out = open((folder_ + "/out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-            const int err = open((folder_ + "/err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-            dup2(out, 1);
-            dup2(err, 2);
             alarm(20);
-            std::vector<char*> all{command_.data()};
-            for (std::string& each : arguments_) all.push_back(each.data());
-            all.push_back(nullptr);
-            execv(command_.c_str(), all.data());
-            _exit(127);
+            become(fault);
         }
         int status = 0;
         waitpid(child, &status, 0);
-        if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) return -1;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        return ended(status);
+    }
+
+    /// Lets allocations fail whose numbers are first, first + step ..., in forks of one process, which are ten times as fast as
+    /// processes of their own, and calls judge(number, exit status) after each. Returns the least of these numbers that was not tried, as
+    /// the process was to write by then.
+    template <class Judge>
+    long fork_at_each(long first, long step, const Judge& judge) {
+        int said[2], told[2];
+        if (pipe(said) != 0 || pipe(told) != 0) return first;
+        prepare();
+        const pid_t child = fork();
+        if (child == 0) {
+            dup2(said[1], 198);
+            dup2(told[0], 199);
+            for (const int end : {said[0], said[1], told[0], told[1]}) close(end);
+            become("memory:each:" + std::to_string(first) + ":" + std::to_string(step));
+        }
+        close(said[1]);
+        close(told[0]);
+        FILE* const lines = fdopen(said[0], "r");
+        std::array<char, 100> line;
+        long next = first, number = 0;
+        int status = 0;
+        while (std::fgets(line.data(), line.size(), lines) &&
+               std::sscanf(line.data(), "%ld %d", &number, &status) == 2) {
+            judge(number, ended(status));
+            next = number + step;
+            prepare();
+            if (write(told[1], "g", 1) != 1) break;
+        }
+        std::fclose(lines);
+        close(told[1]);
+        waitpid(child, &status, 0);
+        return next;
     }
 
     std::string out() const { return text_of(folder_ + "/out"); }
@@ -157,6 +174,38 @@ public:
 
 private:
     void clear() { has_parts(); }
+
+    void prepare() {
+        if (!output_.empty()) std::ofstream(output_) << old;
+        for (const char* const name : {"count", "crash", "failed"})
+            unlink((folder_ + "/" + name).c_str());
+    }
+
+    [[noreturn]] void become(const std::string& fault) {
+        setenv("LD_PRELOAD", library_.c_str(), 1);
+        setenv("ALGAE_FAULT", fault.c_str(), 1);
+        for (const auto& [name, file] : {std::pair{"COUNT", "count"},
+                                         {"CRASH", "crash"},
+                                         {"FAILED", "failed"},
+                                         {"OUT", "out"},
+                                         {"ERR", "err"}})
+            setenv((std::string("ALGAE_FAULT_") + name).c_str(), (folder_ + "/" + file).c_str(), 1);
+        const int out = open((folder_ + "/out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        const int err = open((folder_ + "/err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        dup2(out, 1);
+        dup2(err, 2);
+        std::vector<char*> all{command_.data()};
+        for (std::string& each : arguments_) all.push_back(each.data());
+        all.push_back(nullptr);
+        execv(command_.c_str(), all.data());
+        _exit(127);
+    }
+
+    /// What `run` gives for a status of wait.
+    static int ended(int status) {
+        if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) return -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
 
     std::string command_, library_, folder_;
     Work work_;
@@ -304,11 +353,14 @@ int main(int argc, char** argv) {
                     own.made = runner.made();
                     const bool many = kind == "memory";
                     const long step = many ? every : 1;
-                    for (long n = (many ? from : 1) + part * step; n <= count; n += 2 * step) {
-                        const std::string found =
-                            flaw(runner, own, kind, runner.run(kind + ":" + std::to_string(n)));
-                        std::fprintf(report, "%ld\t%s\n", n, found.c_str());
-                    }
+                    const auto judge = [&](long n, int status) {
+                        std::fprintf(report, "%ld\t%s\n", n,
+                                     flaw(runner, own, kind, status).c_str());
+                    };
+                    long n = (many ? from : 1) + part * step;
+                    if (many) n = runner.fork_at_each(n, 2 * step, judge);
+                    for (; n <= count; n += 2 * step)
+                        judge(n, runner.run(kind + ":" + std::to_string(n)));
                     std::fclose(report);
                     _exit(0);
                 }

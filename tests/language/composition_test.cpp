@@ -99,6 +99,20 @@ std::set<Word> words_by_definition(const OL& system, std::size_t longest) {
 
 }  // namespace
 
+TEST_CASE(
+    "a word of the image of a language with context is found by the first words of the language") {
+    const std::string with_context =
+        "let C = PDIL { axiom ba; a -> b; b -> bb; ab < a -> b }\n"
+        "let Q = IL { axiom a; a -> a; a -> ab; b -> a; b -> b; a < b > b -> ε; a < b > b -> a; b "
+        "> b -> ε; b > b -> ab }\n"
+        "let R = PIL { axiom a; a -> a; a -> bb; b -> a; a < a > aa -> a; a < a > aa -> ab; a < b "
+        "> a -> aa; a < b > a -> b }\n";
+    CHECK(verdicts(with_context + "show { a -> ε; b -> b }(L(C)) <= /a/\n"
+                                  "show { a -> ε; b -> b }(L(Q)) is empty\n"
+                                  "show a in { a -> ε; b -> a }(L(R))\n"
+                                  "show { a -> ab; b -> ε }(L(C)) == /(ab)+/\n") == "rc rc pc rc ");
+}
+
 TEST_CASE("what is proved of languages serves later statements, and verify checks it") {
     CHECK(verdicts("show L(H) == /ab+/\nshow L(H) is regular\nshow L(H)^R == /b+a/\n"
                    "show { a -> b; b -> a }(L(H)) == /ba+/\nshow L(H) | /ab*/ == /ab*/\n") ==

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "exact/exact.hpp"
@@ -25,6 +26,9 @@ inline constexpr const char* file_help =
 
 /// The type of such an argument.
 inline constexpr const char* file_type = "FILE|NAME";
+
+/// Throws Error, that a file or folder cannot be read, or std::bad_alloc where the reason is that memory ended.
+[[noreturn]] void throw_unreadable(const std::string& name, std::error_code reason);
 
 /// The bytes of a file in pieces: each call puts at most so many characters there and gives their number, 0 at
 /// the end. "-" is standard input. Throws Error, now or at a call, if the file cannot be read or is a folder. The budget must outlive this.

@@ -73,6 +73,9 @@ std::optional<steps::Invariant> by_invariants(const Language& left, const Langua
 /// Whether a system with context occurs in the expression.
 bool has_context(const Language& language);
 
+/// Some short words that may be in the language, in no order: the first ones of systems with context, and what operations make of such.
+std::vector<Word> first_words(const LanguageTree& language, const Budget& budget);
+
 /// A proof that L(G) is infinite, if one is found.
 std::optional<steps::Measured> endless_measure(const SourceSystem& system, const Budget& budget);
 

@@ -339,7 +339,7 @@ TEST_CASE("facts have three coordinates, those of the scene") {
     rod.to = {1, 2, 3};
     rod.radius = 0.5;
     scene.rods = {rod};
-    const SpaceView view(scene, {}, {{1, 2, 3}, 4}, {}, {});
+    const SpaceView view(scene, {}, {{1, 2, 3}, 4, {}}, {}, {});
     CHECK(view.segments() == Integer(1));
     REQUIRE(view.facts().low.size() == 3);
     CHECK(view.facts().low[2].value() == 0);

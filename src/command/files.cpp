@@ -141,42 +141,17 @@ struct Opener {
         if (allow) allow(path);
         return file_text(path, budget);
     }
+    FileText reader() const {
+        return [this](const std::string& path) { return text(path); };
+    }
 };
-
-/// Whether a file lies in a folder or below, where links lead.
-bool is_below(const std::filesystem::path& file, const std::string& folder) {
-    std::error_code failed;
-    const auto whole = std::filesystem::canonical(file, failed);
-    if (failed) return false;
-    const auto above = std::filesystem::canonical(folder, failed);
-    if (failed) return false;
-    return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first ==
-           above.end();
-}
-
-/// The text of a file with those that it includes, as files of cpfg do: files in its folder and below, wherever links lead.
-std::string with_included(const std::string& file, const Opener& open) {
-    std::string text = open.text(file);
-    const SystemFormat* const format = system_format(file);
-    if (!format || (format->name != "l" && format->name != "cpfg") ||
-        text.find("include") == std::string::npos)
-        return text;
-    return cpfg_with_included(
-        text, file, [&](const std::string& name) -> std::optional<std::string> {
-            std::error_code ignored;
-            if (name == "-" || !std::filesystem::is_regular_file(name, ignored) ||
-                !is_below(name, folder_of(file)))
-                return std::nullopt;
-            return open.text(name);
-        });
-}
 
 /// A text that is in a file, in standard input or in the gallery; nothing if there is none of this name.
 std::optional<SourceText> stored_text(const std::string& file, const Opener& open) {
     if (file == "-") return SourceText{"standard input", open.text(file)};
-    if (exists(file)) return SourceText{file, with_included(file, open)};
+    if (exists(file)) return SourceText{file, text_with_included(file, open.reader())};
     if (const auto [path, entry] = file_and_entry(file); !entry.empty() && exists(path))
-        return SourceText{file, with_included(path, open)};
+        return SourceText{file, text_with_included(path, open.reader())};
     if (const GalleryEntry* entry = find_system(file))
         return SourceText{std::string(entry->name), std::string(entry->text)};
     if (const GalleryEntry* entry = find_generator(file))
@@ -234,56 +209,10 @@ std::string foreign_format(std::string_view text) {
     return {};
 }
 
-/// The files of a model of cpfg that a name stands for: a system has the view beside it, a view or an animation its system. Nothing if it is
-/// none of them.
-std::optional<CpfgFiles> cpfg_model(const std::string& file, const Opener& open) {
-    // One of several systems in a file has the view beside that file.
-    const std::string whole = exists(file) ? file : file_and_entry(file).first;
-    if (!exists(whole)) return std::nullopt;
-    const std::filesystem::path path(whole);
-    const auto beside = [&](const char* ending) {
-        std::filesystem::path other = path;
-        other.replace_extension(ending);
-        return exists(other.string()) ? other.string() : std::string();
-    };
-    if (path.filename() == "specifications") {
-        CpfgFiles found = cpfg_files(open.text(whole), whole);
-        for (std::string* one : {&found.system, &found.view, &found.animation})
-            if (!one->empty()) *one = (path.parent_path() / *one).string();
-        return found;
-    }
-    const std::string ending = path.extension().string();
-    if (ending == ".l" || ending == ".cpfg") {
-        const std::string view = beside(".v");
-        if (view.empty()) return std::nullopt;
-        return CpfgFiles{file, view, ""};
-    }
-    if (ending != ".v" && ending != ".a") return std::nullopt;
-    if (beside(".l").empty())
-        throw Error(file + ": shows a system of cpfg, expected it beside this file: " +
-                    path.stem().string() + ".l");
-    return CpfgFiles{beside(".l"), ending == ".v" ? file : beside(".v"),
-                     ending == ".a" ? file : ""};
-}
-
-/// The model of cpfg as its files say it; of a system of Fractint, which ends in `.l` too, the system alone.
-Model model_of(const CpfgFiles& files, const Opener& open) {
-    const std::string& name = files.system;
-    const std::string text = with_included(exists(name) ? name : file_and_entry(name).first, open);
-    const SystemFormat* const by_text = system_format_of(text);
-    if (!by_text || by_text->name != "cpfg")
-        return system_format(files.system)->read(text, files.system);
-    Model model = by_text->read(text, files.system);
-    if (!files.view.empty()) model = with_cpfg_view(model, open.text(files.view), files.view);
-    if (!files.animation.empty())
-        model.drawing.generations = cpfg_frames(open.text(files.animation), files.animation);
-    return model;
-}
-
 Model open_model(const std::string& file, const Opener& open, const std::vector<std::string>& let) {
     const ConstantValues constants = constants_of(let);
-    if (const std::optional<CpfgFiles> files = cpfg_model(file, open)) {
-        const Model model = model_of(*files, open);
+    if (const std::optional<CpfgFiles> files = cpfg_files_at(file, open.reader())) {
+        const Model model = cpfg_model(*files, open.reader());
         return let.empty() ? model : read_lsystem(print_lsystem(model), files->system, constants);
     }
     const std::optional<SourceText> stored = stored_text(file, open);
@@ -314,7 +243,7 @@ Model open_model(const std::string& file, const Opener& open, const std::vector<
 SourceText open_text(const std::string& file, const Budget& budget,
                      const std::vector<std::string>& let) {
     const Opener open{budget, {}};
-    if (let.empty() && !cpfg_model(file, open))
+    if (let.empty() && !cpfg_files_at(file, open.reader()))
         if (std::optional<SourceText> stored = stored_text(file, open)) return *stored;
     const Model system = open_model(file, budget, let);
     const bool is_foreign = system_format(system.name);

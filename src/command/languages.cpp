@@ -42,6 +42,11 @@ bool has_context(const LSystem& system) { return !as_et0l(system) && as_il(syste
 /// Of a system with context the family is IL, whatever is given.
 Claim claim_about(const std::vector<const Model*>& systems, const std::string& family,
                   const std::set<std::string>& letters = {}) {
+    for (const Model* system : systems)
+        if (const View<IL> rules = as_il(*system); has_context(*system) && rules->brackets)
+            throw Error(system->name +
+                        ": expected a system without context or one with plain contexts, found "
+                        "one with context whose words have brackets");
     std::string text = "claim T\n";
     if (!letters.empty()) text += "alphabet " + joined(letters, " ") + '\n';
     std::string name = "A";

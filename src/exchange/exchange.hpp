@@ -99,6 +99,22 @@ Model with_cpfg_view(const Model& system, std::string_view text, const std::stri
 /// The generations that an animation file (`*.a`) of cpfg shows. Throws Diagnostics where these are no range.
 std::pair<std::uint64_t, std::uint64_t> cpfg_frames(std::string_view text, const std::string& name);
 
+/// Gives the text of a file; throws Error for one that cannot, or may not, be read.
+using FileText = std::function<std::string(const std::string& path)>;
+
+/// Whether a file lies in a folder or below, wherever links lead; false if one of them is not there.
+bool is_below(const std::string& file, const std::string& folder);
+
+/// The text of a file; one of cpfg has the files that it includes: those that lie in its folder or below, wherever links lead.
+std::string text_with_included(const std::string& path, const FileText& text_of);
+
+/// The files of a model of cpfg that a path stands for: a system has the view beside it, a view or an animation its system, `specifications`
+/// names all of them. Nothing if it is none of these. Throws Error where the system of a view is missing.
+std::optional<CpfgFiles> cpfg_files_at(const std::string& path, const FileText& text_of);
+
+/// The model of cpfg as its files say it; of a system of Fractint, which ends in `.l` too, the system alone. Throws Diagnostics.
+Model cpfg_model(const CpfgFiles& files, const FileText& text_of);
+
 /// The terms of a b-file of the OEIS: a line `n a(n)` for each, n going up by 1; `#` begins a comment.
 struct BFile {
     Integer first;  // the n of the first term

@@ -240,6 +240,11 @@ std::vector<double> numbers(const std::vector<Coordinate>& coordinates) {
     return values;
 }
 
+/// Why parameters of a figure are doubles: None where they are exact.
+Json rounding_json(const std::string& reason) {
+    return reason.empty() ? Json(nullptr) : Json(reason);
+}
+
 Json facts_json(const Facts& facts, std::uint64_t generation,
                 const std::optional<std::uint64_t>& seed) {
     Json one{{"generation", generation}};
@@ -248,6 +253,7 @@ Json facts_json(const Facts& facts, std::uint64_t generation,
     one.set("bounding_box", {{"min", numbers(facts.low)}, {"max", numbers(facts.high)}});
     one.set("end", numbers(facts.end));
     one.set("exact", facts.exact);
+    one.set("rounded", rounding_json(facts.rounded));
     return one;
 }
 
@@ -323,10 +329,12 @@ std::pair<std::string, std::vector<Json>> drawn_to_turn(const SystemObject& syst
     std::vector<NamedScene> named;
     std::vector<Json> facts;
     for (std::uint64_t n = shown.first; n <= shown.last; ++n) {
-        scenes.push_back(scene(*system, n, budget, choices).scene);
+        SpaceDerivation found = scene(*system, n, budget, choices);
+        scenes.push_back(std::move(found.scene));
         facts.push_back(Json{{"generation", n},
                              {"segments", scenes.back().rods.size()},
-                             {"parts", scenes.back().parts()}});
+                             {"parts", scenes.back().parts()},
+                             {"rounded", rounding_json(found.facts.rounded)}});
     }
     for (const Scene& one : scenes)
         named.push_back({&one, "generation " + std::to_string(shown.first + named.size()) + " of " +
@@ -358,12 +366,14 @@ py::tuple draw(const SystemObject& system, const Shown& shown, const Wishes& wis
             how.colours = wishes.colours;
             how.background = wishes.background;
             how.camera = view_of(wishes, *system).camera;
-            Scene found = scene(*system, shown.last, budget, choices).scene;
-            const MeshDrawn drawn = draw_mesh(found, out, *mesh, how, budget);
-            return std::pair(out.str(), std::vector<Json>{Json{{"generation", shown.last},
-                                                               {"vertices", drawn.vertices},
-                                                               {"triangles", drawn.triangles},
-                                                               {"solids", drawn.solids}}});
+            SpaceDerivation found = scene(*system, shown.last, budget, choices);
+            const MeshDrawn drawn = draw_mesh(found.scene, out, *mesh, how, budget);
+            Json one{{"generation", shown.last},
+                     {"vertices", drawn.vertices},
+                     {"triangles", drawn.triangles},
+                     {"solids", drawn.solids}};
+            one.set("rounded", rounding_json(found.facts.rounded));
+            return std::pair(out.str(), std::vector<Json>{one});
         }
         if (text == FigureFormat::html && leaves_plane(*system))
             return drawn_to_turn(system, shown, choices, wishes, budget);
@@ -682,6 +692,8 @@ void add_figures(py::module_& module) {
                     throw Error("the rules give no formula of the dimension: " +
                                 (found.exact.conditions.empty() ? std::string()
                                                                 : found.exact.conditions.back()));
+                if (found.exact.value->enclosure(64).midpoint() > 2)
+                    return decimal(Rational(2), digits);
                 return run(limits, [&](const Budget& budget) {
                     if (const auto exact = found.exact.value->rational())
                         return decimal(*exact, digits);

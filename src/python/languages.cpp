@@ -178,6 +178,20 @@ std::vector<WordObject> random_words(const LanguageObject& language, std::uint64
 
 // Questions about systems
 
+/// The claim about L(A) for a system with context, and about words with these letters.
+Claim claim_about(const SystemObject& system, const std::set<std::string>& letters) {
+    if (const View<IL> rules = as_il(*system); rules->brackets)
+        throw Error(system->name +
+                    ": expected a system without context or one with plain contexts, found one "
+                    "with context whose words have brackets");
+    std::string text = "claim T\n";
+    if (!letters.empty())
+        text += "alphabet " +
+                joined(std::vector<std::string>(letters.begin(), letters.end()), " ") + '\n';
+    return read_claim(text + "let A = IL A\n", "question",
+                      [&](const std::string&) { return *system; });
+}
+
 /// The membership of a word with its derivation: whether, the step, and the report as the command prints it.
 std::tuple<std::optional<bool>, std::optional<std::uint64_t>, std::string, AnswerObject> member(
     const SystemObject& system, const WordObject& word, const Limits& limits) {
@@ -185,18 +199,9 @@ std::tuple<std::optional<bool>, std::optional<std::uint64_t>, std::string, Answe
     auto alphabet = std::make_shared<Alphabet>(system->alphabet);
     const Word letters = over(word, *alphabet);
     if (!tables && as_il(*system)) {
-        Claim claim =
-            read_claim("claim T\nalphabet " +
-                           joined(
-                               [&] {
-                                   std::set<std::string> names;
-                                   for (const Symbol letter : letters)
-                                       names.insert(alphabet->name(letter));
-                                   return std::vector<std::string>(names.begin(), names.end());
-                               }(),
-                               " ") +
-                           "\nlet A = IL A\n",
-                       "question", [&](const std::string&) { return *system; });
+        std::set<std::string> names;
+        for (const Symbol letter : letters) names.insert(alphabet->name(letter));
+        const Claim claim = claim_about(system, names);
         HasWord said{generated_language(claim.systems.front()), {}};
         for (const Symbol letter : letters)
             said.word.push_back(claim.alphabet->find(alphabet->name(letter)).value());
@@ -233,8 +238,7 @@ std::tuple<std::optional<bool>, std::optional<Integer>, std::string> finite(
     const SystemObject& system, const Limits& limits) {
     const View<ET0L> tables = as_et0l(*system);
     if (!tables && as_il(*system)) {
-        Claim claim = read_claim("claim T\nlet A = IL A\n", "question",
-                                 [&](const std::string&) { return *system; });
+        const Claim claim = claim_about(system, {});
         const AnswerObject found =
             decided({IsFinite{generated_language(claim.systems.front())}}, claim, limits);
         const Truth truth = found.answer.truth;

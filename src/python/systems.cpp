@@ -69,10 +69,16 @@ std::string file_text(const std::string& path) {
     return text.str();
 }
 
-/// A file of a system in the notation, or in another program's format by the end of its name.
+/// A file of a system in the notation, or in another program's format by the end of its name; one of cpfg with the files beside it and those
+/// that it includes.
 SystemObject open_file(const std::string& path, const Constants& let) {
+    if (const std::optional<CpfgFiles> files = cpfg_files_at(path, file_text)) {
+        Model model = cpfg_model(*files, file_text);
+        if (!let.empty()) return read_system(print_lsystem(model), files->system, let);
+        return made(std::move(model));
+    }
     const auto [file, entry] = file_and_entry(path);
-    const std::string text = file_text(entry.empty() ? path : file);
+    const std::string text = text_with_included(entry.empty() ? path : file, file_text);
     if (const GeneratorKind* kind = generator_kind(file))
         throw Error(path + " is " + kind->what + ", expected an L-system");
     const SystemFormat* format = system_format(path);

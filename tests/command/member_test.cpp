@@ -220,3 +220,18 @@ TEST_CASE("member says which options go together") {
               "printf 'axiom a; a -> aa; a -> aaa' |")
               .status == 3);
 }
+
+TEST_CASE("questions about a language refuse contexts between brackets") {
+    // They ended the command by a signal; equal printed an error of the standard library.
+    for (const std::string verb :
+         {"finite bracketed-context", "finite bracketed-context --json",
+          "finite bracketed-context --certificate -", "member bracketed-context ABC",
+          "equal bracketed-context bracketed-context"}) {
+        const Run refused = run(verb);
+        INFO(verb, " ", refused.err);
+        CHECK(refused.status == 2);
+        CHECK(refused.err.find("algae: bracketed-context: expected a system without context or one "
+                               "with plain contexts, found one with context whose words have "
+                               "brackets\n") == 0);
+    }
+}

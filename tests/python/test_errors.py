@@ -30,6 +30,8 @@ WRONG_TYPES = [
     (lambda: F.member(3), "word: expected a Word"),
     (lambda: F.equal("a -> ab"), "other: expected an LSystem"),
     (lambda: F.draw("x"), "n: expected a generation"),
+    (lambda: LSystem("koch").draw([1, 3]), r"n: expected a generation, an int from 0 on, or a pair \(first, last\), found \[1, 3\]"),
+    (lambda: {Language("{a}")}, "unhashable type: 'Language'"),
     (lambda: F.draw(3, colour="red"), "did you mean colours"),
     (lambda: LSystem("koch").draw(3, width="x"), "width: expected a number above 0"),
     (lambda: LSystem("koch").draw(3, camera=5), "camera: expected"),
@@ -241,3 +243,68 @@ def test_strange_calls_of_the_module_itself_do_not_end_the_interpreter():
                 pass
 
 
+def test_objects_that_were_never_made_do_not_end_the_interpreter():
+    """Their methods read memory that nobody wrote."""
+    script = """
+from algae import _algae
+made = 0
+for name, thing in vars(_algae).items():
+    if isinstance(thing, type):
+        class Derived(thing):
+            def __init__(self):
+                pass
+        for make in (lambda: thing.__new__(thing), lambda: Derived.__new__(Derived), Derived):
+            try:
+                make()
+            except TypeError:
+                made += 1
+print(made)
+word = _algae.Word("ab", [])
+assert word.size() == 2
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert int(done.stdout) == 3 * sum(isinstance(one, type) for one in vars(_algae).values()) > 30
+
+
+def test_a_file_that_cannot_be_written_is_named_as_it_was_asked_for(tmp_path):
+    """The message had the name of the file under which a picture is begun."""
+    path = tmp_path / "none" / "koch.svg"
+    for call in (lambda: LSystem("koch").draw(2, path), lambda: LSystem("koch").draw(2).save(path),
+                 lambda: LSystem("bush-3d").mesh(1).save(path.with_suffix(".obj"))):
+        with pytest.raises(FileNotFoundError) as caught:
+            call()
+        assert ".part" not in str(caught.value) and caught.value.filename.startswith(str(path.with_suffix("")))
+    (tmp_path / "folder.svg").mkdir()
+    with pytest.raises(OSError):
+        LSystem("koch").draw(2, tmp_path / "folder.svg")
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_threads_with_objects_of_their_own_do_all_kinds_of_work():
+    """Reading, deciding, drawing and meshes in eight threads at once give what one thread gives."""
+    def work(number):
+        system = LSystem({"F": "F+F--F+F" if number % 2 else "F-F+F+F-F"}, settings={"angle": 60 if number % 2 else 90})
+        told = []
+        with algae.Budget(timeout=120, progress=told.append):
+            return (system.points(5).sum(), len(system.segments(4)), system.draw(4).data, system.dimension().formula,
+                    LSystem("bush-3d").mesh(2).triangles.sum(), str(system.derive(4).counts()), system.factor_complexity(6),
+                    algae.census("D0L systems up to size 4", ["finite"]).instances, Word("ab" * number + "a").count("aba"),
+                    Claim(f"claim T; show {{{'a' * (number + 1)}, b}} is not 0L").check().verdict,
+                    Language("/(ab)*/").random(2 * number, 3, seed=number), (Morphism("a -> ab, b -> a") ** 9)("ab"),
+                    LSystem("fibonacci").letter(1000, 10**number), system.tree(2).draw().data, algae.realise([1, 2, 4, 8]).text)
+
+    expected = [work(number) for number in range(8)]
+    found: dict = {}
+
+    def run(number):
+        try:
+            found[number] = [work(number), work(number)]
+        except BaseException as error:
+            found[number] = error
+
+    threads = [threading.Thread(target=run, args=(i,)) for i in range(8)]
+    [one.start() for one in threads]
+    [one.join() for one in threads]
+    for number in range(8):
+        assert found[number] == [expected[number]] * 2

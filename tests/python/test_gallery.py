@@ -1,7 +1,6 @@
 """The package against the command's JSON, for every system of the gallery."""
 
-import json
-
+import numpy
 import pytest
 
 import algae
@@ -19,86 +18,168 @@ def same(mine, theirs):
     return mine == theirs
 
 
-@pytest.mark.parametrize("name", algae.gallery())
-def test_a_system_is_what_the_command_says(name, command):
-    system = LSystem(name)
-    assert system.to_dict() == command("show", name, "--json")
-    assert LSystem.from_text(system.text, name=name) == system
-    facts = command("show", name, "--json")
-    assert list(system.alphabet) == facts["alphabet"] and system.rules == facts["rules"] and system.axiom == facts["axiom"]
+def compared(compare):
+    """How many systems of the gallery were compared: `compare(name)` gives nothing where there is nothing to compare, and fails where values
+    differ. What failed is named by its system."""
+    made, wrong = 0, []
+    for name in algae.gallery():
+        try:
+            made += compare(name) is not None
+        except AssertionError as error:
+            wrong.append(f"{name}: {error}")
+        except (algae.Error, algae.Stopped) as error:
+            wrong.append(f"{name}: {type(error).__name__}: {error}")
+    assert not wrong, "\n\n".join(wrong)
+    return made
 
 
-@pytest.mark.parametrize("name", algae.gallery())
-def test_words_are_those_of_the_command(name, command):
-    system = LSystem(name)
-    for n in (0, 1, 2):
-        theirs = command("derive", name, "-n", str(n), "--json")
-        if theirs is None or "words" not in theirs:
-            if "shape" not in system.kind:
+def test_systems_are_what_the_command_says(command):
+    def compare(name):
+        system, theirs = LSystem(name), command("show", name, "--json")
+        assert system.to_dict() == theirs
+        assert list(system.alphabet) == theirs["alphabet"] and system.rules == theirs["rules"] and system.axiom == theirs["axiom"]
+        assert LSystem.from_text(system.text, name=name) == system
+        return True
+
+    assert compared(compare) == len(algae.gallery())
+
+
+def test_words_are_those_of_the_command(command):
+    """Of systems that the command does not derive, such as shape rules, the package derives no word either."""
+    refused = []
+
+    def compare(name):
+        system, found = LSystem(name), None
+        for n in (0, 1, 2):
+            theirs = command("derive", name, "-n", str(n), "--json")
+            if theirs is None or "words" not in theirs:
                 with pytest.raises((algae.Error, algae.Stopped)):
                     system.derive(n, budget=BUDGET)
-            continue
-        assert str(system.derive(n, budget=BUDGET)) == theirs["words"][0]
+                if name not in refused:
+                    refused.append(name)
+                continue
+            found = str(system.derive(n, budget=BUDGET))
+            assert found == theirs["words"][0]
+        return found
+
+    assert compared(compare) > 0.9 * len(algae.gallery()), refused
 
 
-@pytest.mark.parametrize("name", algae.gallery())
-def test_growth_is_that_of_the_command(name, command):
-    system = LSystem(name)
-    if not system.is_deterministic:
-        with pytest.raises(algae.Error):
-            system.growth(timeout=60)
-        return
-    growth = system.growth(budget=BUDGET)
-    theirs = command("growth", name, "--json")
-    assert growth.to_dict() == theirs
-    assert all(same(mine, one) for mine, one in zip(growth.lengths, theirs["lengths"]))
-    assert growth.closed_form == theirs["closed_form"] and growth.kind == theirs["class"]
-    assert growth.degree == theirs["degree"]
-    assert [[int(one) for one in row] for row in growth.matrix.tolist()] == [[int(one) for one in row] for row in theirs["matrix"]] \
-        or len(growth.letters) > 0 and "rows" in str(theirs["matrix"])[:10]
-    far = command("growth", name, "-n", "60..61", "--json")["lengths"]
-    assert all(same(mine, one) for mine, one in zip(system.lengths(61, first=60), far))
+def test_growth_is_that_of_the_command(command):
+    def compare(name):
+        system = LSystem(name)
+        if not system.is_deterministic:
+            with pytest.raises(algae.Error):
+                system.growth(timeout=60)
+            return None
+        growth, theirs = system.growth(budget=BUDGET), command("growth", name, "--json")
+        assert growth.to_dict() == theirs
+        assert all(same(mine, one) for mine, one in zip(growth.lengths, theirs["lengths"]))
+        assert growth.closed_form == theirs["closed_form"] and growth.kind == theirs["class"] and growth.degree == theirs["degree"]
+        if isinstance(theirs["matrix"], list):
+            assert growth.matrix.tolist() == [[int(one) for one in row] for row in theirs["matrix"]]
+        far = command("growth", name, "-n", "60..61", "--json")["lengths"]
+        assert all(same(mine, one) for mine, one in zip(system.lengths(61, first=60), far))
+        return True
+
+    assert compared(compare) > 0.5 * len(algae.gallery())
 
 
-@pytest.mark.parametrize("name", algae.gallery())
-def test_finiteness_is_that_of_the_command(name, command):
-    theirs = command("finite", name, "--timeout", "5", "--json")
-    if theirs is None:
-        return
-    assert LSystem(name).finite(timeout=60).to_dict() == theirs
+def test_factors_are_those_of_the_command(command):
+    """The values up to a length; what holds for all lengths is proved by the command alone."""
+    def compare(name):
+        system, theirs = LSystem(name), command("words", name, "--to", "10", "--json")
+        if not system.is_deterministic:
+            assert theirs is None or "error" in theirs
+            return None
+        mine = system.factor_report(10)
+        for key in set(theirs) - {"not_proved", "critical_exponent", "closed_under_reversal"}:
+            if key.endswith("_complexity") and theirs[key]:
+                assert mine[key]["values"] == theirs[key]["values"]
+            else:
+                assert mine[key] == theirs[key], key
+        return True
+
+    assert compared(compare) > 0.5 * len(algae.gallery())
 
 
-@pytest.mark.parametrize("name", algae.gallery())
-def test_figures_are_those_of_the_command(name, command, tmp_path):
-    system = LSystem(name)
-    shown = system.shown_generations
-    if shown is None:
-        return
-    n = min(shown[1], 2)
-    theirs = command("draw", name, "-n", str(n), "--json", "-o", str(tmp_path / "figure.png"), "--width", "50")
-    if theirs is None or "figures" in theirs:
-        return
-    mine = system.facts(n, budget=BUDGET)
-    for key in ("generation", "segments", "bounding_box", "end", "exact"):
-        assert mine[key] == theirs[key]
-    segments = system.segments(n, budget=BUDGET)
-    assert len(segments) == int(theirs["segments"])
+def test_finiteness_is_that_of_the_command(command):
+    def compare(name):
+        theirs = command("finite", name, "--timeout", "5", "--json")
+        if theirs is None:
+            with pytest.raises((algae.Error, algae.Stopped)):
+                LSystem(name).finite(timeout=5)
+            return None
+        assert LSystem(name).finite(timeout=60).to_dict() == theirs
+        return True
+
+    assert compared(compare) > 0.5 * len(algae.gallery())
+
+
+def test_figures_are_those_of_the_command(command, tmp_path):
+    """A figure without a segment has no picture, and the command says so."""
+    empty = []
+
+    def compare(name):
+        system = LSystem(name)
+        shown = system.shown_generations
+        n = min(shown[1], 2) if shown else 2
+        mine = system.facts(n, budget=BUDGET)
+        seed = ("--seed", str(mine["seed"])) if "seed" in mine else ()
+        theirs = command("draw", name, "-n", str(n), *seed, "--json", "-o", str(tmp_path / "figure.png"), "--width", "300")
+        if theirs is None or "error" in theirs:
+            assert mine["segments"] == 0
+            empty.append(name)
+            return None
+        assert set(mine) - {"seed"} == {"generation", "segments", "bounding_box", "end", "exact", "rounded"}
+        assert all(mine[key] == theirs[key] for key in mine)
+        segments = system.segments(n, budget=BUDGET)
+        assert len(segments) == int(theirs["segments"])
+        if segments.shape[2] == 2:
+            low, high = segments.min((0, 1)), segments.max((0, 1))
+            assert numpy.allclose([low, high], [mine["bounding_box"]["min"], mine["bounding_box"]["max"]], atol=1e-9)
+        return True
+
+    assert compared(compare) + len(empty) == len(algae.gallery())
+    assert len(empty) < 0.3 * len(algae.gallery()), empty
 
 
 def test_dimensions_are_those_of_the_command(command):
-    theirs = {row["name"]: row for row in json.loads(json.dumps(command(
-        "dimension", "--table", "--quick", "--timeout", "600", "--json")))}
-    for name in ("koch", "dragon", "hilbert", "gosper", "sierpinski", "levy", "plant-f"):
-        if name in theirs and name in algae.gallery():
-            assert LSystem(name).dimension(timeout=60).to_dict() == theirs[name]
-    assert len(theirs) == len(algae.gallery())
+    theirs = {row["name"]: row for row in command("dimension", "--table", "--quick", "--timeout", "600", "--json")}
+
+    def compare(name):
+        assert LSystem(name).dimension(timeout=300).to_dict() == theirs[name]
+        return True
+
+    assert compared(compare) == len(theirs) == len(algae.gallery())
 
 
 def test_trees_are_those_of_the_command(command, tmp_path):
-    for name in ("fibonacci", "anabaena", "thue-morse", "koch"):
-        theirs = command("tree", name, "-n", "3", "--json", "-o", str(tmp_path / "tree.dot"))
-        mine = LSystem(name).tree(3)
+    def compare(name):
+        theirs = command("tree", name, "-n", "2", "--json", "-o", str(tmp_path / "tree.dot"))
+        if theirs is None or "error" in theirs:
+            with pytest.raises((algae.Error, algae.Stopped)):
+                LSystem(name).tree(2, timeout=60)
+            return None
+        system = LSystem(name)
+        seed = 1 if system.to_dict()["stochastic"] else None  # as the command picks
+        mine = system.tree(2, seed=seed)
         assert (len(mine.nodes), len(mine.edges)) == (theirs["nodes"], theirs["edges"])
+        return True
+
+    assert compared(compare) > 0.5 * len(algae.gallery())
+
+
+def test_a_figure_of_rounded_parameters_says_why(command, tmp_path):
+    """`facts`, `draw` and a mesh had no word of it, where the command says `rounded`."""
+    for text, end in (("axiom A(1.0001); A(x) -> +F(x)A(x*x)", "svg"), ("axiom A(1.0001); A(x) -> &F(x)A(x*x)", "obj"),
+                      ("axiom A(1.0001); A(x) -> &F(x)A(x*x)", "html")):
+        theirs = command("draw", text, "-n", "14", "--json", "-o", str(tmp_path / f"figure.{end}"))
+        assert "has more than 10,000 digits" in theirs["rounded"]
+        system = LSystem(text)
+        assert theirs["rounded"].split(": ", 1)[1] in system.draw(14, format=end).facts["rounded"]
+        assert theirs["rounded"].split(": ", 1)[1] in system.facts(14)["rounded"]
+        assert system.facts(2)["rounded"] is None and system.draw(2, format=end).facts["rounded"] is None
 
 
 def test_members_and_comparisons_are_those_of_the_command(command):

@@ -106,3 +106,21 @@ def test_the_alphabet_of_a_complement_is_that_of_the_whole_expression():
     A, B = Language("{a}"), Language("{b}")
     assert (~(A | B)).equal(~A & ~B).is_proved
     assert "b" in ~A | B
+
+
+def test_languages_compare_by_their_words():
+    """== compared objects, and languages were not pickled."""
+    import pickle
+
+    assert Language("/a(ba)*/") == Language("/(ab)*a/") != Language("/(ab)*/")
+    assert Language("L(fibonacci)") == Language.of_system(LSystem("fibonacci", name="other"))
+    assert Language("{a}") != 5 and not Language("{a}") == "a"
+    again = pickle.loads(pickle.dumps(Language("L(G)", systems={"G": LSystem("a -> aa")})))
+    assert again == Language("L(all)", systems={"all": LSystem("a -> aa")}) and again.words(3) == ["a", "aa", "aaaa"]
+
+
+def test_a_claim_in_a_file_names_systems_of_other_programs(tmp_path):
+    """Systems beside a claim were sought with the ending .lsys alone."""
+    (tmp_path / "tree.l").write_text("Lsystem: 1\nderivation length: 1\nAxiom: A\nA --> AB\nendlsystem\n")
+    (tmp_path / "tree.claim").write_text("claim T\nlet G = D0L tree.l\nshow ABB in L(G)\n")
+    assert bool(Claim.from_file(tmp_path / "tree.claim").check())

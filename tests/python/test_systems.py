@@ -192,3 +192,67 @@ def test_dimension():
     assert low <= Fraction(126185950714291487, 10**17) <= high and high - low <= Fraction(1, 10)
     measured = LSystem("koch").measure(6)
     assert measured.low <= 1.2618595 <= measured.high
+
+
+CPFG = "Lsystem: 1\nderivation length: 2\nAxiom: A\n{rules}endlsystem\n"
+
+
+def test_a_file_of_cpfg_has_the_files_that_it_includes(tmp_path, command):
+    """`open_file` read the one file alone, and refused the line `#include`."""
+    inside = tmp_path / "inside"
+    (inside / "deep").mkdir(parents=True)
+    (tmp_path / "outside.l").write_text("A --> AC\n")
+    (inside / "link.l").symlink_to(tmp_path / "outside.l")
+    (inside / "rules.l").write_text('A --> AB\n#include "deep/more.l"\n')
+    (inside / "deep" / "more.l").write_text("B --> BB\n")
+    good = inside / "good.l"
+    good.write_text(CPFG.format(rules='#include "rules.l"\n'))
+    theirs = command("derive", str(good), "-n", "2", "--json")["words"][0]
+    for system in (LSystem(good), LSystem(str(good)), LSystem.from_file(good)):
+        assert str(system.derive(2)) == theirs == "ABBB"
+    for outside in ("link.l", "../outside.l", "none.l"):
+        (inside / "bad.l").write_text(CPFG.format(rules=f'#include "{outside}"\n'))
+        with pytest.raises(algae.NotationError, match="expected a file of this name in the folder") as caught:
+            LSystem.from_file(inside / "bad.l")
+        assert caught.value.line == 4
+    (inside / "rules.l").write_text("A --> A)\n")
+    with pytest.raises(algae.NotationError) as caught:
+        LSystem.from_file(good)
+    assert caught.value.file == str(inside / "rules.l") and caught.value.line == 1
+
+
+def test_a_file_of_cpfg_is_shown_as_the_view_beside_it_says(tmp_path, command):
+    (tmp_path / "tree.l").write_text("Lsystem: 1\nderivation length: 3\nAxiom: F\nF --> F[+F]F\nendlsystem\n")
+    for angle in (20, 35):
+        (tmp_path / "tree.v").write_text(f"angle increment: {angle}\n")
+        (tmp_path / "tree.a").write_text("first frame: 0\nlast frame: 2\nstep: 1\n")
+        system = LSystem(tmp_path / "tree.l")
+        assert system.angle == angle and system.to_dict() == command("show", str(tmp_path / "tree.l"), "--json")
+        assert LSystem(tmp_path / "tree.a").shown_generations == (0, 2)
+    (tmp_path / "alone.v").write_text("angle increment: 20\n")
+    with pytest.raises(algae.Error, match=r"expected it beside this file: alone\.l"):
+        LSystem(tmp_path / "alone.v")
+
+
+def test_an_upper_bound_above_two_is_two():
+    """`n` gave the similarity dimension, where the command says 2."""
+    found = LSystem({"F": "F+F--F+F"}, settings={"angle": 96}).dimension()
+    assert found.status == "upper bound" and found.to_dict()["exact"]["similarity"]["value"] > 2
+    assert found.n(10) == 2 == float(found) == found.to_dict()["exact"]["value"]
+
+
+def test_contexts_between_brackets_are_refused_where_languages_are_asked_for():
+    """`finite` and `member` ended the interpreter."""
+    tree = LSystem("bracketed-context")
+    for call in (tree.finite, lambda: tree.member("ABC"), lambda: tree.is_("finite")):
+        with pytest.raises(algae.Error, match="bracketed.context.*with context whose words have brackets"):
+            call()
+
+
+def test_floats_are_probabilities_as_they_are_meant():
+    """1/3 and 2/3 as floats did not add up to 1."""
+    for first, second in ((1 / 3, 2 / 3), (0.1, 0.9), (Fraction(1, 7), 6 / 7)):
+        found = LSystem({"F": {"FF": first, "F": second}}).distribution(1)
+        assert sum(found.values()) == 1 and found["FF"] == Fraction(first).limit_denominator(10)
+    with pytest.raises(algae.NotationError, match="add up to 9/10"):
+        LSystem({"F": {"FF": 0.5, "F": 0.4}})

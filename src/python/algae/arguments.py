@@ -100,6 +100,15 @@ def exact(name: str, value: object, expected: str = "an int or a Fraction") -> F
     return Fraction(integer(name, value, expected))
 
 
+def probability(name: str, value: object) -> Fraction:
+    """A rational number; a float is the simplest fraction that is this float: 1/3 of 0.333..., so that 1/3 and 2/3 add up to 1."""
+    found = exact(name, value, "a probability, a Fraction or a number")
+    if isinstance(value, float):
+        simple = found.limit_denominator(1_000_000)
+        return simple if float(simple) == value else found
+    return found
+
+
 def choice(name: str, value: object, known: Iterable[str]) -> str:
     names = list(known)
     found = text(name, value, "one of " + ", ".join(names))

@@ -77,6 +77,10 @@ def write(path: str, data: bytes) -> None:
         with open(temporary, "wb") as out:
             out.write(data)
         os.replace(temporary, path)
+    except OSError as error:  # about the path that was asked for
+        if os.path.exists(temporary):
+            os.unlink(temporary)
+        raise type(error)(error.errno, error.strerror, path) from None
     except BaseException:
         if os.path.exists(temporary):
             os.unlink(temporary)

@@ -61,6 +61,8 @@ class Language:
     [Word('b'), Word('ab'), Word('ba'), Word('bb')]
     >>> "aab" in A, "aaa" in A
     (True, False)
+    >>> Language("/a(ba)*/") == Language("/(ab)*a/")
+    True
     """
 
     def __init__(self, expression: Union[str, Iterable[WordLike]], *, systems: Optional[Mapping[str, "LSystem"]] = None,
@@ -277,16 +279,33 @@ class Language:
                 return
             most *= 4
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same words; `Undecided` where that is not decided, and `equal` says why and takes a timeout."""
+        if not isinstance(other, Language):
+            return NotImplemented
+        if self._expression == other._expression and self._systems == other._systems and self._letters == other._letters:
+            return True
+        return bool(self.equal(other))
+
+    __hash__ = None  # type: ignore[assignment]  # languages that are equal may be written in different ways
+
     def __str__(self) -> str:
         return self._expression
 
     def __repr__(self) -> str:
         return f"Language({self._expression!r})"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_unpickled, (self._expression, self._systems, self._letters))
+
     def _repr_html_(self) -> str:
         found = self.listing(12, timeout=5)
         words = ", ".join(pages.escaped(str(one)) for one in found["words"])
         return f"<code>{pages.escaped(self._expression)}</code> = {{{words}{'' if found['whole'] else ', ...'}}}"
+
+
+def _unpickled(expression: str, systems: dict[str, "LSystem"], letters: list[str]) -> Language:
+    return Language(expression, systems=systems, letters=letters)
 
 
 def _braced(morphism: Union[Morphism, Mapping[str, WordLike], str]) -> str:
@@ -414,7 +433,8 @@ class Claim:
             text = given.read()
         folder = os.path.dirname(file) or "."
         beside = {}
-        for found in re.findall(r"[\w./-]+\.lsys", text):
+        named = re.findall(r"[\w./-]+\.lsys", text) + re.findall(r"^\s*let\s+\w+\s*=\s*\w+\s+([\w./-]+\.\w+)", text, re.M)
+        for found in dict.fromkeys(named):  # systems in other programs' formats too
             place = os.path.join(folder, found)
             inside = os.path.realpath(place).startswith(os.path.realpath(folder) + os.sep)
             if inside and os.path.isfile(place):
@@ -424,10 +444,14 @@ class Claim:
     @classmethod
     def _about(cls, statement: str, systems: Mapping[str, "LSystem"], letters: Iterable[str] = ()) -> "Claim":
         """The claim with one statement, in which L(NAME) are languages of systems."""
+        from .systems import LSystem, gallery
+
         lines = ["claim " + statement.replace("\n", " ").replace("{", "(").replace("}", ")")]
         names: dict[str, "LSystem"] = {}
         text = statement
-        for i, (name, system) in enumerate(systems.items()):
+        known = set(gallery())
+        named = {name: LSystem(name) for name in re.findall(r"L\(\s*([^\s()]+)\s*\)", statement) if name in known}
+        for i, (name, system) in enumerate({**named, **systems}.items()):
             new = f"System_{i}"
             names[name] = system
             text = re.sub(rf"L\(\s*{re.escape(name)}\s*\)", f"L({new})", text)

@@ -175,7 +175,7 @@ class Dimension:
         return self._found.conditions()
 
     def n(self, digits: int = 15, *, timeout: float | None = None) -> Decimal:
-        """Correctly rounded to so many digits after the point."""
+        """Correctly rounded to so many digits after the point; 2 for an upper bound above it, as no figure of the plane has more."""
         wanted = arguments.count("digits", digits, 0, 100_000)
         with limits(timeout, None, "digits") as bounds:
             return Decimal(self._found.decimal(wanted, bounds))
@@ -201,6 +201,8 @@ class Dimension:
 
     def _latex(self) -> str:
         formula = self._found.latex()
+        if self.status == "upper bound" and self.n(1) == 2:  # the formula gives more
+            return r"\dim \le 2"
         relation = r"\dim \le" if self.status == "upper bound" else r"\dim ="
         if not formula:
             return r"\text{no formula of the dimension}"

@@ -350,7 +350,8 @@ class LSystem:
 
     def factor_report(self, longest: int, *, timeout: Optional[float] = None,
                       budget: Optional[Budget] = None) -> dict[str, Any]:
-        """Factor, palindromic and Abelian complexity up to a length, as `algae words --json` says them."""
+        """Factor, palindromic and Abelian complexity up to a length, and more of the factors, as `algae words --json` says them; what
+        holds for all lengths, ``not_proved`` and the critical exponent, only the command proves."""
         with limits(timeout, budget, "factors") as bounds:
             found: dict[str, Any] = json.loads(
                 _algae.factor_values_json(self._system, arguments.count("longest", longest, 0, 10**6), bounds))
@@ -431,6 +432,8 @@ class LSystem:
             if len(n) != 2:
                 raise arguments.wrong_value("n", "a generation, or a pair (first, last)", n)
             return _range("n[0]", n[0], "n[1]", n[1])
+        if isinstance(n, bool) or not hasattr(type(n), "__index__"):
+            raise arguments.wrong_type("n", "a generation, an int from 0 on, or a pair (first, last)", n)
         generation = arguments.generation("n", n)
         return generation, generation
 
@@ -603,7 +606,7 @@ def _text_of_rules(rules: Mapping[str, Any], axiom: Union[WordLike, None], setti
         name = f"source[{left!r}]"
         if isinstance(value, Mapping):
             for word, chance in value.items():
-                likely = arguments.exact(f"{name}[{word!r}]", chance, "a probability, a Fraction or a number")
+                likely = arguments.probability(f"{name}[{word!r}]", chance)
                 lines.append(f"{left} -({likely})-> {_word_text(name, word)}")
         elif isinstance(value, (list, tuple, set, frozenset)) and not (isinstance(value, tuple) and not value):
             options = sorted(value, key=str) if isinstance(value, (set, frozenset)) else list(value)

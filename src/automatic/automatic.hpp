@@ -236,6 +236,13 @@ struct CriticalExponent {
 /// Example: critical_exponent(automatic_word(d0l("a", {{'a', "ab"}, {'b', "a"}}), [](Symbol a) { return std::to_string(a); }), Budget()).value->exact() == "(5+sqrt(5))/2"
 CriticalExponent critical_exponent(const AutomaticWord& word, const Budget& budget);
 
+/// The same of the infinite word of a morphism, without automata and whatever its numeration: by repetitions of the words derived by returns, which
+/// repeat for primitive morphisms (`greatest_repetitions`). Throws Error if the word is none or its first letter does not come back in it, and
+/// BoundReached where the derived words get too many or too large, or where roots of equal size decide.
+///
+/// Example: critical_exponent(d0l("a", {{'a', "aab"}, {'b', "a"}}), Budget()).value->exact() == "3+sqrt(2)"
+CriticalExponent critical_exponent(const D0L& system, const Budget& budget);
+
 /// Whether the reversal of each factor of the word is a factor. Throws as `decide_first_order`.
 bool is_closed_under_reversal(const AutomaticWord& word, const Budget& budget);
 

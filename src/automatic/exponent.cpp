@@ -3,6 +3,7 @@
 #include <set>
 
 #include "automatic/detail/relations.hpp"
+#include "combinatorics/combinatorics.hpp"
 
 // The critical exponent of an infinite word.
 //
@@ -11,6 +12,12 @@
 // linear recurrences in k, sums of a constant, a multiple of the power of the greatest root of the recurrence of the lengths, and what vanishes. So the
 // limit of n/p is a number in the field of that root, the sign of n/p minus the limit is decided from some k on, and those before are looked at.
 // (That critical exponents of such words are algebraic: Krieger, On critical exponents in fixed points of non-erasing morphisms, 2007.)
+//
+// Without automata, so where addition is not regular too: by words v that occur again p letters later, whose numbers of letters go through one affine
+// map again and again (`greatest_repetitions`). With L the left eigenvector of the matrix for its greatest root r, the limit of |v|/p along a chain
+// is ((r - 1) L v + L added)/((r - 1) L p). A value t above the limit is above all later |v|/p as soon as t p - v exceeds, in every letter, a
+// vector y with (matrix) y - added >= y. Where |v|/p comes near to the greatest limit itself, |v| minus the limit times p is
+// a sum of powers of the other roots and of 1, of which the greatest one that occurs decides if it is above 0; otherwise some value is above the limit.
 
 namespace algae {
 
@@ -376,6 +383,364 @@ Rational occurring_exponent(const AutomaticWord& word, const Budget& budget) {
 }
 
 }  // namespace
+
+namespace {
+
+using Counts = std::vector<Integer>;
+
+Integer product(const Counts& left, const Counts& right) {
+    Integer sum = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) sum += left[i] * right[i];
+    return sum;
+}
+
+Counts product(const IntegerMatrix& matrix, const Counts& counts) {
+    Counts found(matrix.rows());
+    for (std::size_t a = 0; a < matrix.rows(); ++a)
+        for (std::size_t b = 0; b < counts.size(); ++b)
+            if (!matrix(a, b).is_zero()) found[a] += matrix(a, b) * counts[b];
+    return found;
+}
+
+GrowthMatrix rows_of(const IntegerMatrix& matrix) {
+    GrowthMatrix found{std::vector<std::vector<GrowthMatrix::Entry>>(matrix.rows())};
+    for (std::size_t a = 0; a < matrix.rows(); ++a)
+        for (std::size_t b = 0; b < matrix.columns(); ++b)
+            if (!matrix(a, b).is_zero()) found.rows[a].push_back({b, matrix(a, b)});
+    return found;
+}
+
+/// The greatest |v|/p of repetitions, where words are images of themselves.
+class GreatestQuotient {
+public:
+    GreatestQuotient(const GreatestRepetitions& all, const Budget& budget)
+        : all_(all),
+          budget_(budget),
+          rate_(*components(rows_of(all.step), budget).list.front().rate),
+          field_(rate_.minimal_polynomial()) {
+        find_eigenvector();
+        for (const RepetitionChain& chain : all.chains) {
+            limits_.push_back(limit_of(chain));
+            if (!limit_ || is_above(limits_.back(), *limit_)) limit_ = limits_.back();
+        }
+    }
+
+    /// In the field of `rate`, if the other one is in it.
+    CriticalExponent found(const Rate& rate) {
+        if (!limit_) throw Error("repetitions do not go on");
+        for (const auto& [n, p] : all_.single) note(n, p);
+        constexpr std::size_t first = 12;
+        for (const RepetitionChain& chain : all_.chains) {
+            Walk walk(*this, chain);
+            for (std::size_t k = 0; k < first; ++k, walk.step())
+                note(walk.length(), walk.distance());
+        }
+        for (std::size_t i = 0; i < limits_.size() && side(best_) <= 0; ++i) {
+            if (is_above(*limit_, limits_[i]))
+                stays_below(all_.chains[i], between(limits_[i], *limit_));
+            else
+                near_limit(all_.chains[i]);
+        }
+        for (bool is_greatest = side(best_) <= 0; !is_greatest;) {
+            const Pair greatest = best_;
+            for (const RepetitionChain& chain : all_.chains)
+                stays_below(chain, Rational(best_.first, best_.second));
+            is_greatest = greatest == best_;
+        }
+        CriticalExponent answer;
+        const auto number = [&](const Quotient& one) {
+            return in_field_of(rate, one.above + one.below, one.below);
+        };
+        if (!is_above({all_.least.numerator(), all_.least.denominator()}, *limit_))
+            answer.asymptotic = number(*limit_);
+        answer.attained = side(best_) >= 0;
+        if (answer.attained) {
+            answer.factor = {best_.first + best_.second, best_.second};
+            answer.value = Frequency(rate, best_.first + best_.second, best_.second);
+        } else {
+            answer.value = answer.asymptotic;
+        }
+        return answer;
+    }
+
+private:
+    using Pair = std::pair<Integer, Integer>;  // |v| and p
+
+    /// The repetitions of a chain one after the other.
+    class Walk {
+    public:
+        Walk(const GreatestQuotient& of, const RepetitionChain& chain)
+            : of_(of), chain_(chain), word_(chain.word), period_(chain.period) {}
+
+        void step() {
+            of_.budget_.check();
+            for (std::size_t i = 0; i < chain_.rounds; ++i) {
+                word_ = product(of_.all_.step, word_);
+                period_ = product(of_.all_.step, period_);
+            }
+            for (std::size_t a = 0; a < word_.size(); ++a) word_[a] += chain_.added[a];
+        }
+        Integer length() const { return product(of_.all_.lengths, word_) + chain_.behind; }
+        Integer distance() const { return product(of_.all_.lengths, period_); }
+        const Counts& word() const { return word_; }
+        const Counts& period() const { return period_; }
+
+    private:
+        const GreatestQuotient& of_;
+        const RepetitionChain& chain_;
+        Counts word_, period_;
+    };
+
+    /// A row of the adjugate of x - matrix, at the greatest root.
+    void find_eigenvector() {
+        const std::size_t size = all_.step.rows();
+        const Polynomial characteristic = characteristic_polynomial(all_.step);
+        Counts row(size);
+        row[0] = 1;
+        left_.assign(size, Polynomial());
+        for (std::size_t k = size; k-- > 0;) {
+            budget_.check();
+            for (std::size_t a = 0; a < size; ++a) left_[a] += Polynomial::monomial(row[a], k);
+            Counts next(size);
+            for (std::size_t a = 0; a < size; ++a)
+                for (std::size_t b = 0; b < size; ++b) next[b] += row[a] * all_.step(a, b);
+            row = std::move(next);
+            row[0] += characteristic.coefficient(k);
+        }
+        for (Polynomial& one : left_) one = field_.reduced(one);
+    }
+
+    Polynomial weight(const Counts& counts) const {
+        Polynomial sum;
+        for (std::size_t a = 0; a < counts.size(); ++a) sum += left_[a] * Polynomial(counts[a]);
+        return sum;
+    }
+
+    Quotient limit_of(const RepetitionChain& chain) const {
+        const Polynomial less_one =
+            field_.power(Polynomial::monomial(1, 1), chain.rounds) - Polynomial(1);
+        return {field_.reduced(less_one * weight(chain.word) + weight(chain.added)),
+                field_.multiply(less_one, weight(chain.period))};
+    }
+
+    Ball value(const Polynomial& one, long bits) const { return one(rate_.enclosure(bits)); }
+
+    int sign_of(const Polynomial& one) const {
+        const Polynomial reduced = field_.reduced(one);
+        if (reduced.is_zero()) return 0;
+        for (long bits = 128;; bits *= 2) {
+            budget_.check();
+            if (const auto found = sign(value(reduced, bits))) return *found;
+        }
+    }
+
+    bool is_above(const Quotient& one, const Quotient& other) const {
+        return sign_of(one.above * other.below - other.above * one.below) > 0;
+    }
+    Polynomial apart(const Pair& one) const {
+        return field_.reduced(Polynomial(one.first) * limit_->below -
+                              Polynomial(one.second) * limit_->above);
+    }
+    /// Whether it is above the greatest limit, or on it.
+    int side(const Pair& one) const { return sign_of(apart(one)); }
+
+    void note(const Integer& n, const Integer& p) {
+        const Integer left = n * best_.second, right = best_.first * p;
+        if (left > right || (left == right && p < best_.second)) best_ = {n, p};
+    }
+
+    Rational between(const Quotient& low, const Quotient& high) const {
+        for (long bits = 128;; bits *= 2) {
+            budget_.check();
+            const Rational below = (value(low.above, bits) / value(low.below, bits)).upper(),
+                           above = (value(high.above, bits) / value(high.below, bits)).lower();
+            if (below < above) {
+                // With few digits, for what is reckoned with it.
+                for (Integer scale = 16;; scale *= 16)
+                    if (Rational found(ceiling(above * Rational(scale)) - Integer(1), scale);
+                        found > below)
+                        return found;
+            }
+        }
+    }
+
+    /// Notes the |v|/p of a chain until all further ones are at most `most`, which is above the limit.
+    void stays_below(const RepetitionChain& chain, const Rational& most) {
+        const Integer &above = most.numerator(), &below = most.denominator();
+        // sum - matrix^rounds sum is above 0 in all places, as matrix^rounds of its last term is 2 or more.
+        Counts sum(all_.lengths.size()), power(all_.lengths.size(), Integer(1));
+        Integer times = below * chain.behind + 1;
+        for (const Integer& one : chain.added) times = std::max(times, below * one);
+        while (
+            std::any_of(power.begin(), power.end(), [](const Integer& one) { return one < 2; })) {
+            for (std::size_t a = 0; a < sum.size(); ++a) sum[a] += power[a];
+            for (std::size_t i = 0; i < chain.rounds; ++i) power = product(all_.step, power);
+        }
+        for (Walk walk(*this, chain);; walk.step()) {
+            note(walk.length(), walk.distance());
+            bool is_far = true;
+            for (std::size_t a = 0; is_far && a < sum.size(); ++a)
+                is_far = above * walk.period()[a] - below * walk.word()[a] >= times * sum[a];
+            if (is_far) return;
+        }
+    }
+
+    [[noreturn]] static void not_decided() {
+        throw BoundReached(Bound::method,
+                           "whether repetitions reach the limit of their exponents is not decided");
+    }
+
+    /// The same of a chain that has the greatest limit: until all further ones are at most it, or one is above.
+    void near_limit(const RepetitionChain& chain) {
+        IntegerMatrix steps = all_.step;
+        for (std::size_t i = 1; i < chain.rounds; ++i) steps = steps * all_.step;
+        Polynomial all = characteristic_polynomial(steps) * Polynomial({-1, 1});
+        const auto size = static_cast<std::size_t>(all.degree());
+        std::vector<Polynomial> values;  // |v| - limit p, times the divisor of the limit
+        Walk walk(*this, chain);
+        const auto at = [&](std::size_t k) -> const Polynomial& {
+            for (; values.size() <= k; walk.step()) {
+                note(walk.length(), walk.distance());
+                values.push_back(apart({walk.length(), walk.distance()}));
+            }
+            return values[k];
+        };
+        const auto sum = [&](const Polynomial& with, std::size_t from) {
+            Polynomial found;
+            for (std::size_t i = 0; i < with.coefficients().size(); ++i)
+                found += at(from + i) * Polynomial(with.coefficients()[i]);
+            return field_.reduced(found);
+        };
+        // The least multiple of some factors that the values satisfy.
+        for (const auto& [factor, exponent] : factorise(all).powers)
+            for (unsigned i = 0; i < exponent; ++i) {
+                const Polynomial rest = *exact_divide(all, factor);
+                bool is_enough = true;
+                for (std::size_t k = 0; is_enough && k < size; ++k)
+                    is_enough = sum(rest, k).is_zero();
+                if (is_enough) all = rest;
+            }
+        std::size_t from = 0;  // powers of 0 are gone
+        for (; all.coefficient(0).is_zero(); ++from)
+            all = *exact_divide(all, Polynomial::monomial(1, 1));
+        if (all.degree() == 0) return;  // they are all 0, and the first ones are noted
+        if (!is_squarefree(all)) not_decided();
+        const long bits = 512;
+        std::vector<Part> parts = parts_of(chain, all, from, at, bits);
+        constexpr std::size_t longest = 2'000;
+        for (std::size_t k = from; k < from + longest; ++k) {
+            // If one is above, what is noted decides which is the greatest.
+            if (sign_of(at(k)) > 0) return;
+            for (const Part& one : parts) {
+                if (!one.falls) continue;
+                Ball others(0, bits);
+                bool is_greatest = true;
+                for (const Part& other : parts) {
+                    if (&other == &one) continue;
+                    is_greatest = is_greatest && compare(other.root, one.root) == Order::less;
+                    others += other.size;
+                }
+                if (is_greatest && sign(one.size - others) == 1) return;
+            }
+            for (Part& one : parts) one.size *= one.root;
+        }
+        not_decided();
+    }
+
+    /// A power of a root in a sum.
+    struct Part {
+        Ball size, root;     // absolute values
+        bool falls = false;  // the root is above 0, and its part below
+    };
+
+    /// The parts of roots in values from some place on. The root of the limit has none.
+    template <class At>
+    std::vector<Part> parts_of(const RepetitionChain& chain, const Polynomial& all,
+                               std::size_t from, At at, long bits) const {
+        const auto size_of = [](const ComplexBall& z) {
+            return sqrt(z.real * z.real + z.imaginary * z.imaginary);
+        };
+        const Ball rate = power(rate_.enclosure(bits), Ball(Integer(chain.rounds), bits));
+        const Polynomial slope = derivative(all);
+        const auto size = static_cast<std::size_t>(all.degree());
+        std::vector<Part> found;
+        for (const Root& one : roots(all, bits)) {
+            const ComplexBall root{one.real, one.imaginary};
+            if (one.is_real && one.real.overlaps(rate)) continue;
+            ComplexBall part{Ball(0, bits), Ball(0, bits)};
+            for (std::size_t j = 0; j < size; ++j) {
+                ComplexBall weight_of{Ball(0, bits), Ball(0, bits)};
+                for (std::size_t i = size; i > j; --i)
+                    weight_of = weight_of * root +
+                                ComplexBall{Ball(all.coefficient(i), bits), Ball(0, bits)};
+                part = part + weight_of * ComplexBall{value(at(from + j), bits), Ball(0, bits)};
+            }
+            part = part / value_at(slope, root);
+            found.push_back({size_of(part), size_of(root),
+                             one.is_real && sign(one.real) == 1 && sign(part.real) == -1});
+        }
+        return found;
+    }
+
+    /// A quotient of numbers of the field by the rate of another one, of which the rate is a power; as it is where that does not show.
+    Frequency in_field_of(const Rate& other, const Polynomial& above,
+                          const Polynomial& below) const {
+        constexpr std::size_t most = 64;
+        if (rate_ == other || rate_.degree() <= 2) return Frequency(rate_, above, below);
+        const NumberField field(other.minimal_polynomial());
+        Polynomial power = 1;
+        for (std::size_t j = 1; j <= most; ++j) {
+            power = field.multiply(power, Polynomial::monomial(1, 1));
+            const auto put = [&](const Polynomial& polynomial) {
+                Polynomial found;
+                for (std::size_t k = polynomial.coefficients().size(); k-- > 0;)
+                    found = field.reduced(found * power + Polynomial(polynomial.coefficients()[k]));
+                return found;
+            };
+            if (!put(rate_.minimal_polynomial()).is_zero()) continue;
+            // It is a root of the polynomial, and the greatest one if it is that and no other is near.
+            std::size_t near = 0;
+            constexpr long bits = 512;
+            for (const Root& one : roots(rate_.minimal_polynomial(), bits))
+                near += one.is_real && one.real.overlaps(power(other.enclosure(bits)));
+            if (near != 1 || !rate_.enclosure(bits).overlaps(power(other.enclosure(bits))))
+                continue;
+            return Frequency(other, put(above), put(below));
+        }
+        throw BoundReached(Bound::method,
+                           "the critical exponent is in another field than the "
+                           "lengths of the words");
+    }
+
+    const GreatestRepetitions& all_;
+    const Budget& budget_;
+    Rate rate_;
+    NumberField field_;
+    std::vector<Polynomial> left_;   // the eigenvector
+    std::vector<Quotient> limits_;   // by chain
+    std::optional<Quotient> limit_;  // the greatest one
+    Pair best_{0, 1};
+};
+
+}  // namespace
+
+CriticalExponent critical_exponent(const D0L& system, const Budget& budget) {
+    if (system.axiom.empty()) throw Error("the axiom is empty, so there is no infinite word");
+    Symbol first = system.axiom.front();
+    for (std::size_t i = 0; i < system.letters.size(); ++i) {
+        const Word& image = system.successor(first);
+        if (image.empty()) throw Error("the first letter of the infinite word vanishes");
+        first = image.front();
+    }
+    const GreatestRepetitions all = greatest_repetitions(system.rules, first, budget);
+    CriticalExponent found;
+    found.infinite = all.periodic;
+    if (found.infinite) return found;
+    Rate rate;
+    for (const Component& part : components(growth_matrix(system), budget).list)
+        if (part.rate) rate = std::max(rate, *part.rate);
+    return GreatestQuotient(all, budget).found(rate);
+}
 
 CriticalExponent critical_exponent(const AutomaticWord& word, const Budget& budget) {
     const auto relation = [&](const std::string& statement) {

@@ -150,4 +150,30 @@ struct ComplexityForAll {
 /// Example: complexity_for_all(Morphism({{0, {0, 1}}, {1, {0}}}), 0).value(1000) == 1001
 ComplexityForAll complexity_for_all(const Morphism& h, Symbol a, const Budget& budget = {});
 
+/// Repetitions of an infinite word that come of each other: words v that occur again p letters later, which no letter on either side
+/// prolongs, so factors of |v| + p letters with the period p. Numbers of letters of v and of the p letters follow
+/// v(k+1) = step^rounds v(k) + added and p(k+1) = step^rounds p(k); then |v| = lengths v(k) + behind and p = lengths p(k).
+struct RepetitionChain {
+    std::vector<Integer> word, period;  // v(0), p(0)
+    std::size_t rounds = 1;
+    std::vector<Integer> added;
+    Integer behind = 0;
+};
+
+/// Repetitions of an infinite word: all v and p as in `RepetitionChain`, but for some with |v| < least p, and some that are neither longer nor of
+/// smaller period than others here.
+struct GreatestRepetitions {
+    bool periodic = false;  // the word; then nothing else is here
+    Rational least = 0;     // below the limit of |v|/p of some chain
+    IntegerMatrix step;     // primitive, its rate above 1
+    std::vector<Integer> lengths;
+    std::vector<RepetitionChain> chains;
+    std::vector<std::pair<Integer, Integer>> single;  // |v| and p
+};
+
+/// Of the infinite word of a morphism, as `complexity_for_all` and under the same conditions; throws as that does.
+///
+/// Example: greatest_repetitions(Morphism({{0, {0, 1}}, {1, {0}}}), 0).chains.empty() == false
+GreatestRepetitions greatest_repetitions(const Morphism& h, Symbol a, const Budget& budget = {});
+
 }  // namespace algae

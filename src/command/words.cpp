@@ -15,6 +15,7 @@
 #include "notation/notation.hpp"
 #include "report/report.hpp"
 #include "system/system.hpp"
+#include "watch/watch.hpp"
 
 namespace algae::command {
 
@@ -170,6 +171,13 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
                 std::string(what);
         }
     };
+    if (model.coding.empty())
+        each("critical exponent by return words", [&] {
+            try {
+                report.exponent = critical_exponent(rules, budget);
+            } catch (const Error&) {  // the first letter does not come back
+            }
+        });
     try {
         const AutomaticWord word = word_of(model, rules);
         each(report.for_all ? "palindromic complexity" : "complexities",
@@ -177,10 +185,11 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
         if (!report.not_reversed)
             each("closed under reversal",
                  [&] { report.closed_under_reversal = is_closed_under_reversal(word, budget); });
-        each("critical exponent", [&] { report.exponent = critical_exponent(word, budget); });
+        if (!report.exponent)
+            each("critical exponent", [&] { report.exponent = critical_exponent(word, budget); });
     } catch (const Error& error) {
         if (options.prove) throw;
-        report.not_proved = error.what();
+        add_reason(report, error.what());
     }
 }
 
@@ -190,8 +199,10 @@ int decide(const WordsOptions& options, const Model& model, const D0L& rules,
     const AutomaticWord word = word_of(model, rules);
     const FirstOrderStatement statement =
         read_first_order(*options.say, "statement", "T", word.letters);
+    WorkCount largest("states of the largest automaton so far:");
+    const auto progress = [&](std::size_t states) { largest.at(states); };
     const FirstOrderReport report{*options.say, model.name, word, statement.free(),
-                                  decide_first_order(statement, word, budget)};
+                                  decide_first_order(statement, word, budget, progress)};
     print(options.json ? to_json(report).text() : to_text(report));
     return report.answer.holds ? success : refuted;
 }

@@ -8,6 +8,7 @@
 #include "combinatorics/combinatorics.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
+#include "watch/watch.hpp"
 #include "word/word.hpp"
 
 // Statements about words that hold for all n: `word(F, n + 2) == word(F, n + 1) word(F, n)`, `h(word(G, n)) == word(H, n)`,
@@ -409,7 +410,9 @@ AutomaticRelation addition(const AutomaticWord& word, const Budget& budget) {
 Answer judge_infinite_word(const HoldsInWord& said, const Alphabet& alphabet,
                            const Budget& budget) {
     const AutomaticWord word = infinite_word(*said.system, said.coding, alphabet);
-    const FirstOrderAnswer found = decide_first_order(*said.says, word, budget);
+    WorkCount largest("states of the largest automaton so far:");
+    const FirstOrderAnswer found = decide_first_order(
+        *said.says, word, budget, [&](std::size_t states) { largest.at(states); });
     steps::ByAutomata proof{said.system->name,      found.holds, found.witness, found.largest,
                             word.numeration.base(), {}};
     if (adds(*said.says)) proof.addition = addition(word, budget);

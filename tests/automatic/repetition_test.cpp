@@ -140,6 +140,83 @@ TEST_CASE("no factor of a long prefix passes the critical exponent, and some com
     CHECK(decided >= 8);
 }
 
+TEST_CASE(
+    "critical exponents by return words: those of automata, and where addition is not regular") {
+    std::size_t compared = 0;
+    for (const KnownWord& one : words()) {
+        // Automata of the other words are large.
+        if (!one.coding.empty() || one.name == std::string("flipped Tribonacci") ||
+            one.name == std::string("eigenvalue 0"))
+            continue;
+        CAPTURE(one.name);
+        std::optional<CriticalExponent> found;
+        try {
+            found = critical_exponent(system_of(one.rules), Budget());
+        } catch (const BoundReached&) {
+            continue;
+        }
+        const CriticalExponent known = critical_exponent(one.word(), Budget());
+        CHECK(found->infinite == known.infinite);
+        if (known.infinite) continue;
+        CHECK(found->value->exact() == known.value->exact());
+        CHECK(found->attained == known.attained);
+        CHECK(found->factor == known.factor);
+        REQUIRE(found->asymptotic);
+        CHECK(found->asymptotic->exact() == known.asymptotic->exact());
+        ++compared;
+    }
+    CHECK(compared >= 5);
+    const auto exponent = [](const Rules& rules) {
+        return critical_exponent(system_of(rules), Budget());
+    };
+    const auto flipped = exponent({{'a', "ab"}, {'b', "ca"}, {'c', "a"}});
+    CHECK(flipped.value->exact() == "(r + 5)/2");
+    CHECK(!flipped.attained);
+    // Lengths by x^2 - 6x + 6 and by x^2 - x - 6: one root above 1, the other one too, or -2.
+    CHECK(exponent({{'a', "aabaa"}, {'b', "baab"}}).value->exact() == "3+sqrt(3)");
+    CHECK(exponent({{'a', "abb"}, {'b', "aaa"}}).value->exact() == "15/2");
+    // Glen and Justin 2009: 2 + 1/(r - 1) with r^4 = r^3 + r^2 + r + 1.
+    CHECK(exponent({{'a', "ab"}, {'b', "ac"}, {'c', "ad"}, {'d', "a"}}).value->decimal(8) ==
+          "3.07809508");
+    CHECK(exponent({{'a', "abab"}, {'b', "c"}, {'c', ""}}).infinite);
+}
+
+TEST_CASE("critical exponents by return words are those of long prefixes") {
+    std::size_t decided = 0, attained = 0, refused = 0;
+    const auto try_one = [&] {
+        const Rules rules = random_rules(*rc::gen::element<std::size_t>(2, 2, 3));
+        std::optional<CriticalExponent> found;
+        try {
+            found = critical_exponent(system_of(rules), Budget());
+        } catch (const BoundReached&) {
+            ++refused;
+            return;
+        } catch (const Error&) {
+            return;  // no infinite word, or its first letter does not come back
+        }
+        const std::string prefix = KnownWord{"random", rules}.prefix(4'000);
+        if (found->infinite) {
+            RC_ASSERT(greatest_exponent(prefix, 100) > Rational(20));
+            return;
+        }
+        const Rational seen = greatest_exponent(prefix, 400);
+        const Ball value = found->value->enclosure(128);
+        RC_ASSERT(value.upper() >= seen);
+        RC_ASSERT(seen.to_double() > value.midpoint() * 0.95);
+        if (found->factor && found->factor->first < Integer(1'000)) {
+            RC_ASSERT(seen == Rational(found->factor->first, found->factor->second));
+            ++attained;
+        }
+        if (!found->attained) RC_ASSERT(value.lower() > seen);
+        ++decided;
+    };
+    CHECK(rc::check([&] {
+        for (int i = 0; i < 3; ++i) try_one();
+    }));
+    MESSAGE(decided << " decided, " << attained << " of them attained, " << refused << " refused");
+    CHECK(decided >= 40);
+}
+
 TEST_CASE("recurrence functions and return words are those of long prefixes") {
     std::size_t values = 0;
     for (const KnownWord& one : words()) {

@@ -161,6 +161,9 @@ TEST_CASE("words proves complexities for all lengths") {
     CHECK(thue["factor_complexity"]["differences"] == nlohmann::json::parse("[1, 2, 4]"));
     CHECK(json_of("'a -> abbb, b -> a' --to 2")["not_proved"].get<std::string>().find(
               "addition is not known") == 0);
+    const auto late = json_of("'a -> abac, b -> bb, c -> cbc' --to 2")["not_proved"];
+    CHECK(late.get<std::string>().find("critical exponent by return words: ") == 0);
+    CHECK(late.get<std::string>().find("; addition is not known") != std::string::npos);
     CHECK(run("words 'a -> abbb, b -> a' --to 2 --prove").status == 2);
 }
 
@@ -174,6 +177,20 @@ TEST_CASE(
     CHECK(chains[0]["recurrence"] == std::vector<int>{4});
     CHECK(found["second_differences"]["letters"] == 2);
     CHECK(found["factor_complexity"]["proved_for_all"] == true);
+}
+
+TEST_CASE("words: critical exponents where automata are large or addition is not regular") {
+    const auto exponent = [](const std::string& system) {
+        return json_of(system + " --to 2")["critical_exponent"];
+    };
+    const auto flipped = exponent("flipped-tribonacci");
+    CHECK(flipped["exact"] == "(r + 5)/2");
+    CHECK(flipped["attained"] == false);
+    CHECK(exponent("'axiom a; a -> aabaa; b -> baab'")["exact"] == "3+sqrt(3)");
+    const auto attained = exponent("'axiom a; a -> abba; b -> bab'");
+    CHECK(attained["exact"] == "4");
+    CHECK(attained["length"] == 20);
+    CHECK(attained["period"] == 5);
 }
 
 TEST_CASE("words keeps what it found at the end of the time") {

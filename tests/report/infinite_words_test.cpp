@@ -287,7 +287,13 @@ private:
             equal("closed under reversal for all n", !is_closed || is_so_far, true, "");
         });
         decided("critical exponent", [&](const AutomaticWord& word) {
-            compare_exponent(critical_exponent(word, budget), factors);
+            std::optional<CriticalExponent> found;
+            try {
+                found = critical_exponent(system, budget);
+            } catch (const BoundReached&) {
+                found = critical_exponent(word, budget);
+            }
+            compare_exponent(*found, factors);
         });
     }
 

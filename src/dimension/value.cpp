@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dimension/detail/value.hpp"
+#include "dimension/detail/ratio_graph.hpp"
 
 // The numbers that exact dimensions are made of: log rate / log |mu|, its text, and comparison with
 // other such numbers.

@@ -1,4 +1,4 @@
-#include "dimension/detail/value.hpp"
+#include "dimension/detail/ratio_graph.hpp"
 #include "dimension/dimension.hpp"
 #include "growth/growth.hpp"
 

@@ -52,6 +52,17 @@ def shown(output):
     return f'<pre class="output">{html.escape(data.get("text/plain", ""))}</pre>'
 
 
+def joined(outputs):
+    """The outputs, where printed texts that came one after the other are one."""
+    found = []
+    for one in outputs:
+        if found and one.output_type == found[-1].output_type == "stream" and one.name == found[-1].name:
+            found[-1].text += one.text
+        else:
+            found.append(one)
+    return found
+
+
 def distinct(markup, number):
     """Names within SVG are those of a page: each picture gets its own."""
     names = set(re.findall(r'\bid="([^"]+)"', markup))
@@ -77,7 +88,7 @@ def body(cells):
             parts.append(by_pandoc(cell.source, "--from", "markdown-auto_identifiers", "--to", "html5"))
             continue
         parts.append(f'<pre class="code"><code>{html.escape(cell.source)}</code></pre>')
-        parts += [distinct(shown(one), f"{number}-{i}") for i, one in enumerate(cell.outputs)]
+        parts += [distinct(shown(one), f"{number}-{i}") for i, one in enumerate(joined(cell.outputs))]
     return "\n".join(parts)
 
 

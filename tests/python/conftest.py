@@ -8,6 +8,7 @@ import importlib
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 
 import hypothesis
@@ -25,10 +26,19 @@ def needed(name, package=None):
     try:
         return importlib.import_module(name)
     except ImportError:
-        said = f"{name} is not installed (Debian: {package or 'python3-' + name})"
-        if os.environ.get("ALGAE_REQUIRE") == "1":
-            pytest.fail(f"{said}, and ALGAE_REQUIRE=1 requires it")
-        pytest.skip(said)
+        missing(name, package or "python3-" + name)
+
+
+def program(name, package=None):
+    """The path of a program, otherwise as for a module."""
+    return shutil.which(name) or missing(name, package or name)
+
+
+def missing(name, package):
+    said = f"{name} is not installed (Debian: {package})"
+    if os.environ.get("ALGAE_REQUIRE") == "1":
+        pytest.fail(f"{said}, and ALGAE_REQUIRE=1 requires it")
+    pytest.skip(said)
 
 
 @pytest.fixture(scope="session")

@@ -90,7 +90,7 @@ def test_factors_are_those_of_the_command(command):
     def compare(name):
         system, theirs = LSystem(name), command("words", name, "--to", "10", "--json")
         if not system.is_deterministic:
-            assert theirs is None or "error" in theirs
+            assert theirs is None
             return None
         mine = system.factor_report(10)
         for key in set(theirs) - {"not_proved", "critical_exponent", "closed_under_reversal"}:
@@ -117,31 +117,38 @@ def test_finiteness_is_that_of_the_command(command):
 
 
 def test_figures_are_those_of_the_command(command, tmp_path):
-    """A figure without a segment has no picture, and the command says so."""
-    empty = []
+    """The command draws nothing where there is no segment, a table where the file says so, and asks for a seed as the package does."""
+    apart = []
 
     def compare(name):
         system = LSystem(name)
         shown = system.shown_generations
         n = min(shown[1], 2) if shown else 2
-        mine = system.facts(n, budget=BUDGET)
+        try:
+            mine = system.facts(n, budget=BUDGET)
+        except algae.Error as error:
+            assert "say seed=S" in str(error)
+            assert command("draw", name, "-n", str(n), "--json", "-o", str(tmp_path / "figure.png")) is None
+            apart.append(name)
+            return None
         seed = ("--seed", str(mine["seed"])) if "seed" in mine else ()
         theirs = command("draw", name, "-n", str(n), *seed, "--json", "-o", str(tmp_path / "figure.png"), "--width", "300")
-        if theirs is None or "error" in theirs:
-            assert mine["segments"] == 0
-            empty.append(name)
+        if theirs is None:
+            assert mine["segments"] == 0 or "\npicture table\n" in system.text
+            apart.append(name)
             return None
         assert set(mine) - {"seed"} == {"generation", "segments", "bounding_box", "end", "exact", "rounded"}
         assert all(mine[key] == theirs[key] for key in mine)
         segments = system.segments(n, budget=BUDGET)
         assert len(segments) == int(theirs["segments"])
-        if segments.shape[2] == 2:
+        if len(segments) > 0 and segments.shape[2] == 2:  # polygons may reach farther
             low, high = segments.min((0, 1)), segments.max((0, 1))
-            assert numpy.allclose([low, high], [mine["bounding_box"]["min"], mine["bounding_box"]["max"]], atol=1e-9)
+            box = mine["bounding_box"]
+            assert (low > numpy.array(box["min"]) - 1e-9).all() and (high < numpy.array(box["max"]) + 1e-9).all()
         return True
 
-    assert compared(compare) + len(empty) == len(algae.gallery())
-    assert len(empty) < 0.3 * len(algae.gallery()), empty
+    assert compared(compare) + len(apart) == len(algae.gallery())
+    assert len(apart) < 0.3 * len(algae.gallery()), apart
 
 
 def test_dimensions_are_those_of_the_command(command):
@@ -157,7 +164,7 @@ def test_dimensions_are_those_of_the_command(command):
 def test_trees_are_those_of_the_command(command, tmp_path):
     def compare(name):
         theirs = command("tree", name, "-n", "2", "--json", "-o", str(tmp_path / "tree.dot"))
-        if theirs is None or "error" in theirs:
+        if theirs is None:
             with pytest.raises((algae.Error, algae.Stopped)):
                 LSystem(name).tree(2, timeout=60)
             return None

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import html
 import sys
 import time
 from collections.abc import Callable, Iterable
 from contextvars import ContextVar
-from typing import NamedTuple, Optional, Union
+from typing import Any, NamedTuple, Optional, Union
 
 from . import _algae, arguments
 
@@ -16,15 +17,16 @@ Tell = Callable[[Optional[float]], None]
 
 
 class ProgressBar:
-    """A bar on standard error: how far the work is, where that is known, and how many seconds it has taken.
+    """A bar on standard error, or in a notebook below the cell: how far the work is, where that is known, and how many seconds it has taken.
 
-    Nothing is shown of work that takes less than a second.
+    Nothing is shown of work that takes less than a second, and nothing stays when it is done.
     """
 
     def __init__(self, label: str = "algae") -> None:
         self.label = arguments.text("label", label)
         self._since = time.monotonic()
         self._shown = False
+        self._handle: Any = None
 
     def __call__(self, done: float | None) -> None:
         seconds = time.monotonic() - self._since
@@ -35,16 +37,33 @@ class ProgressBar:
         else:
             filled = round(30 * min(max(done, 0), 1))
             line = f"{self.label}: [{'#' * filled}{'.' * (30 - filled)}] {100 * done:3.0f} %  {seconds:.0f} s"
-        sys.stderr.write("\r" + line)
-        sys.stderr.flush()
+        self._show(line)
         self._shown = True
+
+    def _show(self, line: str) -> None:
+        if not is_notebook():
+            sys.stderr.write("\r" + (line or " " * 70 + "\r"))
+            sys.stderr.flush()
+            return
+        from IPython.display import HTML, display
+
+        shown = HTML(f"<pre>{html.escape(line)}</pre>" if line else "")  # standard error would leave a red band
+        if self._handle is None:
+            self._handle = display(shown, display_id=True)
+        else:
+            self._handle.update(shown)
 
     def close(self) -> None:
         """Takes the bar away."""
         if self._shown:
-            sys.stderr.write("\r" + " " * 70 + "\r")
-            sys.stderr.flush()
+            self._show("")
         self._shown = False
+
+
+def is_notebook() -> bool:
+    """Whether this is a kernel of Jupyter, whose outputs stand below a cell."""
+    ipython = sys.modules.get("IPython")
+    return "ipykernel" in sys.modules and ipython is not None and hasattr(ipython.get_ipython(), "kernel")
 
 
 def is_watched() -> bool:
@@ -54,7 +73,7 @@ def is_watched() -> bool:
             return True
     except (AttributeError, ValueError):
         return False
-    return "ipykernel" in sys.modules
+    return is_notebook()
 
 
 class _Block(NamedTuple):

@@ -122,7 +122,7 @@ class Picture:
         return f"Picture({self.format}, {len(self.data)} bytes)"
 
     def _repr_svg_(self) -> Optional[str]:
-        return self.text if self.format == "svg" and self._page is None else None
+        return pages.distinct(self.text) if self.format == "svg" and self._page is None else None
 
     def _repr_png_(self) -> Optional[bytes]:
         return self.data if self.format == "png" else None
@@ -193,7 +193,7 @@ class Tree:
 
     def _repr_svg_(self) -> str:
         with limits(None, None, "tree") as bounds:
-            return self._tree.bytes("svg", None, bounds).decode("utf-8")
+            return pages.distinct(self._tree.bytes("svg", None, bounds).decode("utf-8"))
 
 
 class Mesh:

@@ -26,7 +26,7 @@ struct WordsOptions {
     std::optional<std::string> word, say;
     std::vector<std::string> order, let;
     std::optional<std::uint64_t> to;
-    bool prove = false, json = false;
+    bool prove = false, json = false, latex = false;
     Bounds bounds;
 };
 
@@ -208,6 +208,10 @@ int decide(const WordsOptions& options, const Model& model, const D0L& rules,
 }
 
 int words_of_system(const WordsOptions& options, const Budget& budget) {
+    if (options.say && options.latex)
+        throw Error(
+            "--latex is for values, and --say is answered by numbers and automata; --json has "
+            "these for other programs");
     if (options.say && options.to)
         throw Error(
             "--to is for the factors of a system, and --say is for a statement about its word");
@@ -225,7 +229,9 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
     bool late = false;
     FactorValues report = values_to(options.to.value_or(24), model, *rules, budget, late);
     prove(report, options, model, *rules, budget, late);
-    print(options.json ? to_json(report).text() : to_text(report));
+    print(options.json    ? to_json(report).text()
+          : options.latex ? to_latex(report)
+                          : to_text(report));
     return late ? undecided : success;
 }
 
@@ -249,7 +255,9 @@ int words(const WordsOptions& options) {
                               ? of_text(options.word.value_or(options.what), options)
                               : of_characters(file_text(options.file, budget), options, budget);
     const WordReport report = word_report(found.word, found.names, budget);
-    print(options.json ? to_json(report).text() : to_text(report));
+    print(options.json    ? to_json(report).text()
+          : options.latex ? to_latex(report)
+                          : to_text(report));
     return success;
 }
 
@@ -282,6 +290,7 @@ void add_words(Verbs& verbs) {
               "of a system: proves complexities for all lengths by automata of any size, or says "
               "why not");
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex, "print the values as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 

@@ -184,6 +184,8 @@ WordReport word_report(Word word, std::vector<std::string> letters, const Budget
 
 std::string to_text(const WordReport& report);
 Json to_json(const WordReport& report);
+/// A table of what is found, for a document.
+std::string to_latex(const WordReport& report);
 
 /// The factors of 0, 1, ..., `to` letters of the words of a D0L system: exact up to there, and nothing is said beyond.
 struct FactorValues {
@@ -229,6 +231,8 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
 
 std::string to_text(const FactorValues& report);
 Json to_json(const FactorValues& report);
+/// A table of the values, and what is proved for all lengths, for a document.
+std::string to_latex(const FactorValues& report);
 
 /// What a first-order statement about the infinite word of a system is: true, false, or true for some numbers.
 struct FirstOrderReport {

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "render/render.hpp"
 #include "report/detail/page.hpp"
 #include "report/report.hpp"
 #include "watch/watch.hpp"
@@ -153,6 +154,60 @@ std::string to_text(const WordReport& report) {
                            : fmt::format("{} after {}", one.period, counted(one.head, "letter"));
             }));
     return page;
+}
+
+namespace {
+
+/// The first entries of a long list, as LaTeX mathematics.
+template <class Things, class Text>
+std::string first_of(const Things& things, const char* between, Text text) {
+    std::string all;
+    std::size_t count = 0;
+    for (const auto& thing : things) {
+        if (count == entries) return all + between + "\\dots";
+        all += (count++ == 0 ? "" : between) + text(thing);
+    }
+    return all;
+}
+
+}  // namespace
+
+std::string to_latex(const WordReport& report) {
+    Alphabet alphabet;
+    for (const std::string& letter : report.letters) alphabet.symbol(letter);
+    const Word& word = report.word;
+    const auto part = [&](const Occurrence& place) {
+        const auto at = word.begin() + static_cast<std::ptrdiff_t>(place.begin);
+        return word_latex(alphabet, Word(at, at + static_cast<std::ptrdiff_t>(place.length)));
+    };
+    std::vector<std::pair<std::string, std::string>> rows{{"word", word_latex(alphabet, word)},
+                                                          {"length", number(word.size())}};
+    if (!word.empty()) {
+        rows.insert(
+            rows.end(),
+            {{"periods", first_of(report.periods, ", ", number)},
+             {"borders", first_of(report.borders, ", ",
+                                  [&](std::size_t length) {
+                                      return part({0, length});
+                                  })},
+             {"exponent", formula_latex(to_string(*exponent(report)))},
+             {"primitive root", word_latex(alphabet, report.root)},
+             {"least conjugate", word_latex(alphabet, report.conjugate)},
+             {"Lyndon factorisation", first_of(lyndon_words(report), " \\mid ", part)},
+             {"palindromes but the empty one", number(report.palindromes.count)},
+             {"defect", number(report.palindromes.defect)},
+             {"palindromic factorisation", first_of(report.palindromes.fewest, " \\mid ", part)},
+             {"runs", number(report.repetitions.runs.size())},
+             {"distinct squares", number(report.repetitions.distinct_squares)},
+             {"distinct factors", number(total(report.factors))}});
+        if (report.repetitions.greatest_exponent)
+            rows.emplace_back("greatest exponent of a factor",
+                              formula_latex(to_string(*report.repetitions.greatest_exponent)));
+    }
+    std::string text = "\\begin{tabular}{ll}\n";
+    for (const auto& [name, value] : rows)
+        text += "  " + name + " & " + (value.empty() ? "---" : "$" + value + "$") + " \\\\\n";
+    return text + "\\end{tabular}\n";
 }
 
 Json to_json(const WordReport& report) {
@@ -610,6 +665,63 @@ std::string to_text(const FactorValues& report) {
                      }));
     if (!report.not_proved.empty()) page += line("not for all n", report.not_proved);
     return page;
+}
+
+std::string to_latex(const FactorValues& report) {
+    const auto [factors, palindromes] = proofs_of(report);
+    std::string text = report.infinite_word ? "Factors of the infinite word"
+                                            : "Factors of all words of the system";
+    text +=
+        std::string(report.coded ? ", after the coding" : "") +
+        ": of $n$ letters there are $p(n)$, among them $P(n)$ palindromes, with $a(n)$ different "
+        "numbers of letters, which differ by $b(n)$ at most.\n";
+    text += "\\[\n\\begin{array}{r|rrrr}\n  n & p(n) & P(n) & a(n) & b(n) \\\\ \\hline\n";
+    for (std::size_t n = 0; n < report.factors.size(); ++n)
+        text += fmt::format("  {} & {} & {} & {} & {} \\\\\n", n, report.factors[n],
+                            report.palindromes[n], report.abelian[n], report.imbalance[n]);
+    text += "\\end{array}\n\\]\n";
+    const auto equation = [](const std::string& left, const std::string& right) {
+        return "\\[ " + left + " = " + right + " \\]\n";
+    };
+    const auto linear = [&](const char* name, const Integer& slope, const Integer& constant,
+                            const Integer& from) {
+        text += equation(name, formula_latex(linear_text(slope, constant)) + " \\quad (n \\ge " +
+                                   to_string(from) + ")");
+    };
+    if (report.for_all) {
+        if (const auto found = report.for_all->linear())
+            linear("p(n)", found->slope, found->constant, found->from);
+        else
+            text += escaped_latex(second_differences(*report.for_all)) + ".\n";
+    } else if (factors && factors->linear) {
+        linear("p(n)", factors->linear->slope, factors->linear->constant, factors->linear->from);
+    }
+    if (palindromes && palindromes->linear)
+        linear("P(n)", palindromes->linear->slope, palindromes->linear->constant,
+               palindromes->linear->from);
+    const auto value = [](const Frequency& exact) {
+        const std::string decimal = exact.decimal(digits_shown);
+        return formula_latex(exact.exact()) +
+               (exact.number() && exact.number()->numerator.degree() <= 0
+                    ? ""
+                    : " = " + decimal + "\\dots");
+    };
+    if (report.exponent) {
+        const CriticalExponent& found = *report.exponent;
+        text += "The critical exponent is " +
+                (found.infinite ? std::string("infinite")
+                                : "$" + value(*found.value) + "$" +
+                                      (found.attained ? "" : ", which no factor reaches")) +
+                ".\n";
+    }
+    for (const auto& [name, a] : by_name(report.alphabet))
+        if (report.frequencies[a])
+            text += "The letter $" + word_latex(report.alphabet, {static_cast<Symbol>(a)}) +
+                    "$ has the frequency $" + value(*report.frequencies[a]) + "$.\n";
+    if (report.rate.degree() > 2)
+        text += "Here $r$ is $" + formula_latex(report.rate.exact()) + " = " +
+                report.rate.decimal(digits_shown + 1) + "\\dots$.\n";
+    return text;
 }
 
 Json to_json(const FactorValues& report) {

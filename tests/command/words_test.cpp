@@ -183,14 +183,35 @@ TEST_CASE("words: critical exponents where automata are large or addition is not
     const auto exponent = [](const std::string& system) {
         return json_of(system + " --to 2")["critical_exponent"];
     };
-    const auto flipped = exponent("flipped-tribonacci");
-    CHECK(flipped["exact"] == "(r + 5)/2");
-    CHECK(flipped["attained"] == false);
     CHECK(exponent("'axiom a; a -> aabaa; b -> baab'")["exact"] == "3+sqrt(3)");
     const auto attained = exponent("'axiom a; a -> abba; b -> bab'");
     CHECK(attained["exact"] == "4");
     CHECK(attained["length"] == 20);
     CHECK(attained["period"] == 5);
+}
+
+TEST_CASE("words as LaTeX") {
+    const auto has = [](const Run& made, const std::string& text) {
+        CAPTURE(made.out);
+        CHECK(made.status == 0);
+        CHECK(made.out.find(text) != std::string::npos);
+    };
+    const Run word = run("words abaab --latex");
+    has(word, "\\begin{tabular}{ll}\n  word & $a\\allowbreak b");
+    has(word, "  exponent & $\\frac{5}{3}$ \\\\\n");
+    has(run("words aab --latex"), "  borders & --- \\\\\n");
+    const Run fibonacci = run("words fibonacci --to 2 --latex");
+    has(fibonacci, "  2 & 3 & 1 & 2 & 1 \\\\\n\\end{array}");
+    has(fibonacci, "\\[ p(n) = n + 1 \\quad (n \\ge 0) \\]");
+    has(fibonacci,
+        "The critical exponent is $\\frac{5 + \\sqrt{5}}{2} = 3.618034\\dots$, which no factor "
+        "reaches.\n");
+    has(run("words flipped-tribonacci --to 2 --latex"),
+        "Here $r$ is $\\max\\{r \\in \\mathbb{R} : r^{3} - r^{2} - r - 1 = 0\\} = 1.839287\\dots$");
+    const Run said = run("words fibonacci --say 'for some i: T[i] = a' --latex");
+    CHECK(said.status == 2);
+    CHECK(said.err.find("--latex is for values, and --say") != std::string::npos);
+    CHECK(run("words abaab --latex --json").status == 2);
 }
 
 TEST_CASE("words keeps what it found at the end of the time") {

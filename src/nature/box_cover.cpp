@@ -12,7 +12,7 @@
 // a plot.
 //
 // Sets are a segment, a square, Koch's curve in 8 steps and the coast of a random island, on heights made by displacing midpoints
-// with H = 3/4, so that its dimension is about 5/4, as Richardson measured it in Britain; all are moved and scaled so that the
+// with H = 3/4, where the dimension tends to 5/4, as Richardson measured it in Britain; all are moved and scaled so that the
 // longest side is 1. A square is counted if one of many points along
 // the lines lies in it; points on the upper or right end of the whole belong to the square before.
 // Koch's curve can also be covered with squares that turn with its copies, three for each.

@@ -395,8 +395,8 @@ std::unique_ptr<Generator> open_generator(const std::string& file, const Budget&
     if (!kind) return read_generator(source.text, source.name);  // throws what is expected
     GeneratorFile read = read_source(source, *kind);
     for (const auto& [option, key, text] : said) {
-        const bool known = std::ranges::any_of(
-            kind->keys, [&](const GeneratorKey& one) { return one.name == key; });
+        const bool known =
+            std::ranges::find(kind->keys, key, &GeneratorKey::name) != std::end(kind->keys);
         if (!text.empty() && !known)
             throw Error(option + " is not for " + kind->what + ", and " + source.name + " is one");
     }

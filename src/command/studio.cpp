@@ -43,6 +43,7 @@ struct Options {
     std::string folder, host = "127.0.0.1", token;
     std::uint64_t port = 0;
     std::optional<std::uint64_t> at_once;
+    bool ask = false;
     Bounds bounds;
 };
 
@@ -154,8 +155,16 @@ private:
     std::chrono::steady_clock::time_point deadline_;
 };
 
-/// Makes a text the standard input: a pipe, which a thread fills, as a worker writes no file.
+/// Makes a text the standard input: a pipe, which a thread fills, as a worker writes no file. The engine of a static page has no threads,
+/// and its files are memory.
 void give_input(const std::string& text) {
+#ifdef __EMSCRIPTEN__
+    constexpr const char* place = "/input";
+    std::FILE* const file = std::fopen(place, "wb");
+    if (!file || std::fwrite(text.data(), 1, text.size(), file) != text.size() ||
+        std::fclose(file) != 0 || !std::freopen(place, "rb", stdin))
+        throw Error("the text cannot be given to the verb");
+#else
     int ends[2];
     if (::pipe(ends) != 0) throw Error("the system gives no pipe for a text");
     ::dup2(ends[0], STDIN_FILENO);
@@ -168,6 +177,7 @@ void give_input(const std::string& text) {
         }
         ::close(end);
     }).detach();
+#endif
 }
 
 /// Runs a verb with the bounds of the question; `behind` are arguments that may look like options.
@@ -548,6 +558,21 @@ void enter_empty_place() {
     if (!is_there) throw Error("cannot enter " + folder);
 }
 
+/// One question from standard input, answered without a server.
+int ask_once(const Surroundings& around) {
+    std::string question;
+    std::array<char, 1 << 16> piece{};
+    for (;;) {
+        const ssize_t count = ::read(STDIN_FILENO, piece.data(), piece.size());
+        if (count <= 0) break;
+        question.append(piece.data(), static_cast<std::size_t>(count));
+        if (question.size() > around.share.question)
+            throw Error("the question has more than " +
+                        std::to_string(around.share.question >> 20) + " MiB");
+    }
+    return answer_question(question, around);
+}
+
 int studio(const Options& options) {
     Surroundings around;
     if (!options.folder.empty()) {
@@ -559,22 +584,23 @@ int studio(const Options& options) {
         enter_empty_place();
     }
     Studio studio;
+    if (options.bounds.memory) studio.share.memory = *options.bounds.memory;
+    if (options.bounds.timeout) studio.share.seconds = *options.bounds.timeout;
+    around.share = studio.share;
+    if (options.ask) return ask_once(around);
     studio.host = options.host;
     constexpr std::uint64_t largest_port = 65535;
     if (options.port > largest_port)
         refuse("--port", "a port from 0 to 65535", std::to_string(options.port));
     studio.port = static_cast<std::uint16_t>(options.port);
+    studio.page = studio_page();
     studio.token = options.token.empty() ? random_token() : options.token;
     if (studio.token.size() < 16 ||
         !std::ranges::all_of(studio.token, [](unsigned char c) { return std::isalnum(c); }))
         refuse("--token", "at least 16 letters or digits", studio.token);
-    studio.page = studio_page();
     const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
     studio.share.at_once = static_cast<unsigned>(
         std::min<std::uint64_t>(options.at_once.value_or(2 * processors), 256));
-    if (options.bounds.memory) studio.share.memory = *options.bounds.memory;
-    if (options.bounds.timeout) studio.share.seconds = *options.bounds.timeout;
-    around.share = studio.share;
     // A verb says when its own time is over; the process ends a little later, in case it does not.
     studio.share.seconds += 2;
     studio.answer = [around](const std::string& text) { return answer_question(text, around); };
@@ -612,6 +638,9 @@ void add_studio(Verbs& verbs) {
                 "the secret in the address, at least 16 letters or digits (default: a new one)");
     verb.option("--at-once", options.at_once, natural, "N",
                 "how many questions are answered at a time (default: two a processor)");
+    verb.flag(
+        "--ask", options.ask,
+        "answers one question of the page, as JSON on standard input, and ends without a server");
     verb.bounded_by(options.bounds);
 }
 

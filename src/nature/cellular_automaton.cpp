@@ -108,7 +108,7 @@ std::size_t cell_table_size(std::uint32_t states, std::size_t neighbours) {
     for (std::size_t i = 0; i < neighbours; ++i) {
         require(size <= largest_cell_table / states,
                 "a table for {} cells of {} states has more than 2^24 entries",
-                {neighbours, std::uint64_t{states}});
+                {std::uint64_t{neighbours}, std::uint64_t{states}});
         size *= states;
     }
     return size;
@@ -149,7 +149,7 @@ CellRule life_rule(std::string_view text, const std::vector<CellOffset>& neighbo
                         static_cast<std::size_t>(digit - '0') < cells,
                     "expected a rule such as B3/S23 with numbers of neighbours from 0 to {}, found "
                     "'{}'",
-                    {cells - 1, text});
+                    {std::uint64_t{cells - 1}, text});
             found[static_cast<std::size_t>(digit - '0')] = true;
         }
         require(right, "expected a rule such as B3/S23, found '{}'", {text});
@@ -175,7 +175,8 @@ CellGrid::CellGrid(std::size_t width, std::size_t height, const Budget& budget)
     require(width > 0 && height > 0, "a grid has at least one cell");
     require(width <= budget.memory / 4 / height,
             "a grid of {} x {} cells does not fit in the {} MiB allowed{}",
-            {width, height, budget.memory >> 20, budget.by(Bound::memory)});
+            {std::uint64_t{width}, std::uint64_t{height}, budget.memory >> 20,
+             budget.by(Bound::memory)});
     cells.resize(width * height);
 }
 

@@ -326,7 +326,7 @@ std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::ui
     require(
         system.states.size() == 1,
         "{}: has {} states, and the chaos game is for one; its attractor is drawn without points",
-        {system.name, system.states.size()});
+        {system.name, std::uint64_t{system.states.size()}});
     Game game;
     game.count = count;
     game.seed = system.seed;

@@ -313,7 +313,8 @@ std::vector<double> exact_path(const BrownianMotion& motion, const Gaussians& nu
 }
 
 double estimated_hurst(const std::vector<double>& path) {
-    require(path.size() >= 6, "expected a path of at least 6 values, found {}", {path.size()});
+    require(path.size() >= 6, "expected a path of at least 6 values, found {}",
+            {std::uint64_t{path.size()}});
     const auto mean_square = [&](std::size_t step) {
         double sum = 0;
         const std::size_t count = path.size() - 2 * step;

@@ -49,7 +49,7 @@ void WeierstrassFunction::check() const {
     require(zooms <= 12, "zoom: expected 0 to 12, found {}", {zooms});
     require(from < to, "interval: expected from < to, found {} and {}", {from, to});
     require(points >= 2 && points <= 10'000'000, "points: expected 2 to 10000000, found {}",
-            {points});
+            {std::uint64_t{points}});
 }
 
 double WeierstrassFunction::sum(double x, std::uint64_t count) const {

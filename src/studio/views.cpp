@@ -183,6 +183,9 @@ json json_of(const Look& look) {
     return out;
 }
 
+/// Why parameters were rounded; null if they were not.
+json reason(const std::string& text) { return text.empty() ? json() : json(text); }
+
 /// The choices of a system that leaves some: a seed where nobody gave one.
 FigureChoices choices_of(const Model& system, std::optional<std::uint64_t> seed) {
     FigureChoices choices;
@@ -257,6 +260,7 @@ std::string plane_view(const Model& system, const FigureQuestion& question, cons
                              {"part", {part.x, part.y, part.width, part.height}},
                              {"segments", to_string(drawn->segments())},
                              {"exact", drawn->facts().exact},
+                             {"rounded", reason(drawn->facts().rounded)},
                              {"strokes", found.strokes.size()},
                              {"coarser", coarser},
                              {"symbols", symbols},
@@ -273,6 +277,7 @@ std::string space_view(const Model& system, const FigureQuestion& question, cons
     json head{{"kind", "space"},
               {"generation", question.generation},
               {"segments", std::to_string(derived.facts.segments)},
+              {"rounded", reason(derived.facts.rounded)},
               {"empty", derived.scene.empty()}};
     head["box"] = {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
     const ViewChoices view = view_choices(system.drawing);
@@ -382,7 +387,7 @@ std::string derivation_view(const Model& system, std::uint64_t n, std::optional<
     const json out{{"words", std::move(words)},
                    {"asked", n},
                    {"full", trace.goes_on},
-                   {"rounded", rounded.empty() ? json() : json(rounded)}};
+                   {"rounded", reason(rounded)}};
     return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

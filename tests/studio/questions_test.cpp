@@ -153,6 +153,36 @@ TEST_CASE("a derivation's ancestors give the words back") {
     CHECK(rounded["rounded"] == ":2:11: the value of 'x*x' has more than 10,000 digits");
 }
 
+TEST_CASE("a figure says why its parameters were rounded") {
+    FigureQuestion question;
+    question.generation = 14;
+    const Model squares = read_lsystem("axiom A(1.0001)\nA(x) -> F(1)A(x*x)", "");
+    CHECK(strokes_of(figure_view(squares, question, {})).head["rounded"] ==
+          ":2:15: the value of 'x*x' has more than 10,000 digits");
+    const Model ones = read_lsystem("axiom A(1)\nA(x) -> F(1)A(x*x)", "");
+    CHECK(strokes_of(figure_view(ones, question, {})).head["rounded"].is_null());
+}
+
+TEST_CASE("one question is answered without a server") {
+    const Scratch scratch;
+    const std::string koch = "axiom F\nF -> F+F--F+F\nangle 60\n";
+    const auto ask = [&](const std::string& text) {
+        return run("studio --ask < '" + scratch.file("question.json", text) + "'");
+    };
+    const Run growth = ask(json{{"question", "growth"}, {"text", koch}}.dump());
+    CHECK(growth.status == 0);
+    CHECK(growth.out == run("growth --json '" + scratch.file("typed.lsys", koch) + "'").out);
+    const Run wrong = ask(json{{"question", "describe"}, {"text", "axiom F\nangel 60\n"}}.dump());
+    CHECK(wrong.status == 2);
+    CHECK(json::parse(wrong.out)["error"]["line"] == 2);
+    const Run garbled = ask("{");
+    CHECK(garbled.status == 2);
+    CHECK(garbled.out.find("the question is not JSON") != std::string::npos);
+    const Run long_one = ask(std::string((std::size_t{1} << 20) + 1, ' '));
+    CHECK(long_one.status == 2);
+    CHECK(long_one.err.find("the question has more than 1 MiB") != std::string::npos);
+}
+
 TEST_CASE("the page's questions are answered as the verbs answer them") {
     const served::Studio studio;
     const Scratch scratch;

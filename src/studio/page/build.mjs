@@ -1,9 +1,22 @@
 // Makes one file of the page: what it needs stands in it, and it loads nothing.
+//
+//     node build.mjs FOLDER           page.html and LICENCES.txt, as the command carries them
+//     node build.mjs FOLDER static    index.html and worker.js, which go beside the engine of tools/engine; built/program.mjs for their test
 import { build } from 'esbuild';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 
 const target = process.argv[2] ?? '../built';
+const isStatic = process.argv[3] === 'static';
+// The page of static files has no graph of letters (src/engine.ts), so it does without Graphviz, half of the page's bytes.
+const withoutGraphviz = {
+  name: 'without Graphviz',
+  setup(made) {
+    made.onResolve({ filter: /^@viz-js\/viz$/ }, () => ({ path: 'none', namespace: 'none' }));
+    made.onLoad({ filter: /.*/, namespace: 'none' }, () => ({ contents: "export const instance = () => Promise.reject(new Error('Graphviz is left out'));" }));
+  },
+};
 const made = await build({
+  plugins: isStatic ? [withoutGraphviz] : [],
   entryPoints: ['src/main.ts'],
   bundle: true,
   minify: true,
@@ -20,6 +33,14 @@ const page = readFileSync('src/page.html', 'utf8')
   .replace('/* style */', () => style)
   .replace('/* script */', () => script);
 mkdirSync(target, { recursive: true });
+if (isStatic) {
+  // The same page, which asks a Worker; and the engine's side of it for the page and, as a module, for its test in node.
+  writeFileSync(`${target}/index.html`, page.replace('<html lang="en">', '<html lang="en" data-engine="static">'));
+  const side = { bundle: true, minify: true, charset: 'utf8', target: 'es2022', legalComments: 'none' };
+  await build({ ...side, entryPoints: ['src/worker.ts'], format: 'iife', outfile: `${target}/worker.js` });
+  await build({ ...side, entryPoints: ['src/program.ts'], format: 'esm', outfile: 'built/program.mjs' });
+  process.exit(0);
+}
 writeFileSync(`${target}/page.html`, page);
 
 // Who made the parts that are in it, with their licences, and how many bytes each takes.

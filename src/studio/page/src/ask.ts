@@ -1,19 +1,8 @@
-// Questions to the server. An answer is a stream: lines that begin with ~ say how far the work is, then one line of JSON
-// says how it ended, and the bytes behind it are the answer itself. The part of the page that waits for it is busy meanwhile.
+// Questions, and what becomes of their answers. The part of the page that waits for one is busy meanwhile.
 
 import { busy } from './dom';
+import { engine, type Answer } from './engine';
 import { texts } from './texts';
-
-export interface Head {
-  status: number;
-  end: 'answered' | 'gone' | 'time' | 'size' | 'broken';
-  said: string;
-  seconds: number;
-}
-
-export interface Answer extends Head {
-  bytes: Uint8Array;
-}
 
 /** What a person did wrong, or a bound that was reached; its message is meant for people. */
 export class Refusal extends Error {
@@ -36,58 +25,20 @@ export interface AskOptions {
 }
 
 const newline = 10;
-const tilde = 126;
 
 /** Asks, and reads to the end. */
 export async function ask(question: Record<string, unknown>, options: AskOptions = {}): Promise<Answer> {
   const done = busy(options.part ?? 'right');
   try {
-    return await answerTo(question, options);
+    return await engine.answer(
+      question,
+      options.signal ?? null,
+      (line) => options.progress?.(line),
+      (message) => new Refusal(message, 2),
+    );
   } finally {
     done();
   }
-}
-
-async function answerTo(question: Record<string, unknown>, options: AskOptions): Promise<Answer> {
-  const response = await fetch('ask', {
-    method: 'POST',
-    headers: { 'Content-Type': 'application/json' },
-    body: JSON.stringify(question),
-    signal: options.signal ?? null,
-  });
-  if (!response.ok) throw new Refusal((await response.text()).trim(), 2);
-  const reader = response.body!.getReader();
-  const pieces: Uint8Array[] = [];
-  let rest = new Uint8Array(0);
-  let head: Head | null = null;
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    if (head) {
-      pieces.push(value);
-      continue;
-    }
-    const joined = new Uint8Array(rest.length + value.length);
-    joined.set(rest);
-    joined.set(value, rest.length);
-    let from = 0;
-    for (let end = joined.indexOf(newline); end >= 0 && !head; end = joined.indexOf(newline, from)) {
-      const line = new TextDecoder().decode(joined.subarray(from, end));
-      if (joined[from] === tilde) options.progress?.(line.slice(1));
-      else if (line) head = JSON.parse(line) as Head;
-      from = end + 1;
-    }
-    rest = joined.slice(from);
-  }
-  if (!head) throw new Refusal(texts.ended, 2);
-  const bytes = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, rest.length));
-  bytes.set(rest);
-  let at = rest.length;
-  for (const piece of pieces) {
-    bytes.set(piece, at);
-    at += piece.length;
-  }
-  return { ...head, bytes };
 }
 
 function explain(answer: Answer): string {

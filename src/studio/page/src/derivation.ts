@@ -9,6 +9,7 @@ import { texts } from './texts';
 interface Derivation {
   words: { symbols: string[]; parents: number[]; table?: string }[];
   asked: number;
+  rounded: string | null; // why parameters are doubles
   full: boolean;
 }
 
@@ -43,7 +44,7 @@ export class DerivationTab {
       this.shownKey = key;
       this.found = found;
       this.chosen = null;
-      this.said.textContent = texts.clickLetter;
+      this.said.textContent = found.rounded ? `${texts.clickLetter} · ${texts.rounded(found.rounded)}` : texts.clickLetter;
       this.draw();
     } catch (error) {
       this.said.textContent = '';

@@ -8,7 +8,8 @@ import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
 import { Compartment, EditorState, StateEffect, StateField, type Range, type Text } from '@codemirror/state';
 import { Decoration, drawSelection, EditorView, gutter, GutterMarker, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers, type DecorationSet } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
-import { ask, Latest } from './ask';
+import { ask, askText, Latest, Refusal } from './ask';
+import { engine } from './engine';
 import type { Kind } from './state';
 import { texts } from './texts';
 
@@ -25,6 +26,7 @@ interface Message {
 
 /** Asks the language server once: a document, and one request about it. */
 async function askEditor(kind: Kind, text: string, method: string, place: Position | null, signal?: AbortSignal): Promise<Message[]> {
+  if (engine.lacks('editor')) return kind === 'system' && method === 'diagnostics' ? mistakeOf(text, signal) : [];
   const question: Record<string, unknown> = { question: 'editor', kind: kind === 'system' ? 'lsys' : kind === 'claim' ? 'claim' : answerKind(text), method, text };
   if (place) Object.assign(question, place);
   const answer = await ask(question, { part: 'about', ...(signal ? { signal } : {}) });
@@ -33,6 +35,19 @@ async function askEditor(kind: Kind, text: string, method: string, place: Positi
   // Lengths count bytes; the texts themselves hold no line that looks like a header.
   for (const part of all.split(/Content-Length: \d+\r\n\r\n/)) if (part) messages.push(JSON.parse(part) as Message);
   return messages;
+}
+
+/** Where there is no language server: the first mistake of a system, as its reader says it. */
+async function mistakeOf(text: string, signal?: AbortSignal): Promise<Message[]> {
+  try {
+    await askText({ question: 'describe', text }, { part: 'about', ...(signal ? { signal } : {}) });
+    return [];
+  } catch (error) {
+    if (!(error instanceof Refusal)) throw error;
+    const line = Math.max((error.line ?? 1) - 1, 0);
+    const range = { start: { line, character: 0 }, end: { line, character: Number.MAX_SAFE_INTEGER } };
+    return [{ method: 'diagnostics', params: { diagnostics: [{ range, message: error.message }] } }];
+  }
 }
 
 /** Answers of exercises are systems or claims. */

@@ -7,6 +7,7 @@ import { askBytes, askFile, askJson, Latest, Refusal } from './ask';
 import { busy, colour, download, el, later, speak } from './dom';
 import type { Editor } from './editor';
 import { described, shownGeneration, state, change, withGeneration, type Look as Watch } from './state';
+import { engine } from './engine';
 import { texts } from './texts';
 import type { SpaceStage } from './space';
 
@@ -15,7 +16,7 @@ interface Look {
   width: number;
   length?: boolean;
 }
-interface PlaneHead {
+export interface PlaneHead {
   kind: 'plane';
   generation: number;
   box: [number, number, number, number];
@@ -29,6 +30,7 @@ interface PlaneHead {
   line_width: number;
   runs: (Look & { first: number; count: number })[];
   areas: (Look & { corners: number[]; symbol: number })[];
+  rounded: string | null; // why parameters are doubles
 }
 export interface SpaceHead {
   kind: 'space';
@@ -37,6 +39,7 @@ export interface SpaceHead {
   segments: string;
   box: number[];
   camera: [number, number];
+  rounded: string | null;
   corners: number;
   indices: number;
   runs: { colour: string | null; first: number; count: number }[];
@@ -60,14 +63,14 @@ export function planeOf(found: { head: PlaneHead; bytes: Uint8Array }): Plane {
   };
 }
 
-interface View {
+export interface View {
   x: number; // of the middle of the canvas, in the units of the figure
   y: number;
   scale: number; // pixels a unit
 }
 
 /** The view in which all of a box is seen. */
-function fitted(box: readonly number[], width: number, height: number): View {
+export function fitted(box: readonly number[], width: number, height: number): View {
   const [x, y, wide, high] = box as [number, number, number, number];
   const margin = 0.92;
   const scale = Math.min((margin * width) / (wide || 1e-9), (margin * height) / (high || 1e-9));
@@ -167,6 +170,8 @@ export class FigureTab {
     this.seed.addEventListener('input', () => change({ seed: Math.max(0, Math.floor(Number(this.seed.value))) }));
     this.step.addEventListener('input', () => this.showStep());
     this.exports.addEventListener('change', () => void this.export());
+    const lack = engine.lacks('picture');
+    if (lack) Object.assign(this.exports, { disabled: true, title: lack });
     new ResizeObserver(() => this.resize()).observe(this.stage);
     this.listenToPointers();
     this.canvas.addEventListener('keydown', (event) => this.key(event));
@@ -325,6 +330,7 @@ export class FigureTab {
     }
     let said = segmentsOf(head);
     if (BigInt(head.segments) > BigInt(head.strokes) * 2n) said += ` · ${texts.coarse}`;
+    if (head.rounded) said += ` · ${texts.rounded(head.rounded)}`;
     this.say(`n = ${head.generation} · ${said}`);
     this.canvas.setAttribute('aria-label', texts.figureOf(head.generation, said));
   }
@@ -721,7 +727,7 @@ export class FigureTab {
       this.canvas.hidden = true;
     }
     this.space.show(head, bytes);
-    this.say(head.empty ? texts.noFigure : `n = ${head.generation} · ${segmentsOf(head)}`);
+    this.say(head.empty ? texts.noFigure : `n = ${head.generation} · ${segmentsOf(head)}${head.rounded ? ` · ${texts.rounded(head.rounded)}` : ''}`);
     this.seen();
   }
 

@@ -1,7 +1,9 @@
 // The gallery: every system that comes with algae, with a picture that is drawn when it comes into view.
 
-import { askFile, askJson } from './ask';
+import { askBytes, askFile, askJson } from './ask';
 import { el } from './dom';
+import { engine } from './engine';
+import { fitted, paint, planeOf, type PlaneHead } from './figure';
 import { texts } from './texts';
 
 interface Entry {
@@ -102,7 +104,7 @@ export class Gallery {
       ++this.running;
       void this.picture(name)
         .then((address) => into.replaceChildren(el('img', { src: address, alt: '' })))
-        .catch(() => into.replaceChildren(texts.wordsOnly))
+        .catch(() => into.replaceChildren(engine.lacks('picture') ? '' : texts.wordsOnly))
         .finally(() => {
           --this.running;
           this.work();
@@ -110,7 +112,20 @@ export class Gallery {
     }
   }
 
+  /** A picture that the page draws itself, where the engine makes no files of pictures. */
+  private async painted(name: string): Promise<string> {
+    const [width, height] = [240, 180];
+    const { head, bytes } = await askBytes<PlaneHead>({ question: 'figure', name, pixels: width, most: 20_000, seconds: 4 }, { part: 'cards' });
+    if (head.kind !== 'plane' || head.empty) throw new Error(texts.wordsOnly);
+    const canvas = el('canvas', { width, height });
+    paint(canvas.getContext('2d')!, planeOf({ head, bytes }), fitted(head.box, width, height), width, height, 1);
+    const address = canvas.toDataURL();
+    this.pictures.set(name, address);
+    return address;
+  }
+
   private async picture(name: string): Promise<string> {
+    if (engine.lacks('picture')) return this.painted(name);
     const bytes = await askFile({ question: 'picture', name, format: 'png', width: 240, seconds: 4 }, { part: 'cards' });
     let text = '';
     for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));

@@ -5,6 +5,7 @@ import { askJson, askText, Latest, Refusal } from './ask';
 import { busy, el } from './dom';
 import { plot } from './plot';
 import { described, state, systemQuestion } from './state';
+import { engine } from './engine';
 import { texts } from './texts';
 
 interface Growth {
@@ -97,7 +98,8 @@ export class GrowthTab {
     try {
       await this.latest.run(async (signal) => {
         const growth = await askJson<Growth>(systemQuestion('growth'), { signal });
-        const [latex, dot] = await Promise.all([askText(systemQuestion('growth-latex'), { signal }), askText(systemQuestion('letters'), { signal })]);
+        const noGraph = engine.lacks('letters');
+        const [latex, dot] = await Promise.all([askText(systemQuestion('growth-latex'), { signal }), noGraph ? '' : askText(systemQuestion('letters'), { signal })]);
         if (signal.aborted) return;
         this.shownKey = key;
         const numbers = growth.lengths.map((length, n) => ({ n, length }));
@@ -119,7 +121,8 @@ export class GrowthTab {
           el('h2', {}, texts.factors),
           factors,
         );
-        try {
+        if (noGraph) graph.replaceChildren(el('p', { class: 'note' }, noGraph));
+        else try {
           // Colours of the graph are the system's own; what lies behind is the page's.
           graph.replaceChildren(await graphOf(dot.replace(/fillcolor="#(\w+)"/g, (_, hex: string) => `fillcolor="#${hex}"`)));
         } catch (error) {

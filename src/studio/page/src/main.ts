@@ -6,6 +6,7 @@ import { DerivationTab } from './derivation';
 import { DimensionTab } from './dimension';
 import { download, el, speak } from './dom';
 import { Editor } from './editor';
+import { engine } from './engine';
 import { FigureTab } from './figure';
 import { Gallery } from './gallery';
 import { GrowthTab } from './growth';
@@ -54,6 +55,14 @@ const panels = {
 const tabButtons = Object.fromEntries(
   tabs.map((tab) => [tab, el('button', { role: 'tab', id: `tab-${tab}`, 'aria-controls': `panel-${tab}`, onclick: () => change({ tab }) }, texts.tabs[tab])]),
 ) as Record<Tab, HTMLButtonElement>;
+/** The question that a tab is for: where the engine does not answer it, the tab is grey and says why. */
+const tabQuestions: Partial<Record<Tab, string>> = { dimension: 'dimension', claims: 'check', language: 'member', lessons: 'lesson' };
+for (const tab of tabs) {
+  const lack = engine.lacks(tabQuestions[tab] ?? '');
+  if (!lack) continue;
+  tabButtons[tab].classList.add('lacks');
+  tabButtons[tab].title = lack;
+}
 const kinds: Kind[] = ['system', 'claim', 'answer'];
 const kindButtons = Object.fromEntries(kinds.map((kind) => [kind, el('button', { role: 'tab', onclick: () => showDocument(kind) }, texts.documents[kind])])) as Record<Kind, HTMLButtonElement>;
 

@@ -141,6 +141,9 @@ export const cs: Texts = {
   broken: 'Práce překročila svůj díl paměti nebo selhala a byla ukončena.',
   noAnswer: 'Žádná odpověď nepřišla.',
   ended: 'Studio skončilo, nebo se přerušilo spojení.',
+  needsCommand: 'Tato stránka nemá server a její výpočetní jádro toto neobsahuje: má to `algae studio`.',
+  noEngine: 'Výpočetní jádro této stránky (engine.wasm) se nepodařilo načíst.',
+  rounded: (why: string) => `parametry jsou zaokrouhleny: ${why}`,
   noSystem: 'V systému je chyba; editor říká kde.',
   help: 'Klávesy: ← a → procházejí generace nebo kroky, + a − přibližují a oddalují, 0 ukáže celý obrázek, Esc ukončí promítání.',
 };

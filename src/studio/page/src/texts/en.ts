@@ -140,6 +140,9 @@ export const en = {
   broken: 'The work took more than its share of memory, or failed, and was ended.',
   noAnswer: 'There was no answer.',
   ended: 'The studio has ended, or the connection broke.',
+  needsCommand: 'This page has no server, and its engine leaves this out: `algae studio` has it.',
+  noEngine: 'The engine of this page (engine.wasm) could not be loaded.',
+  rounded: (why: string) => `parameters are rounded: ${why}`,
   noSystem: 'The system has a mistake; the editor says where.',
   help: 'Keys: ← and → go through generations or steps, + and − zoom, 0 shows the whole figure, Esc leaves the presentation.',
 };

@@ -141,6 +141,9 @@ export const pt: Texts = {
   broken: 'O trabalho passou a sua parte da memória, ou falhou, e foi terminado.',
   noAnswer: 'Não houve resposta.',
   ended: 'O estúdio terminou, ou a ligação perdeu-se.',
+  needsCommand: 'Esta página não tem servidor, e o seu motor omite isto: `algae studio` tem-no.',
+  noEngine: 'Não foi possível carregar o motor desta página (engine.wasm).',
+  rounded: (why: string) => `os parâmetros são arredondados: ${why}`,
   noSystem: 'O sistema tem um erro; o editor diz onde.',
   help: 'Teclas: ← e → percorrem gerações ou passos, + e − aproximam e afastam, 0 mostra a figura inteira, Esc sai da apresentação.',
 };

@@ -1,0 +1,108 @@
+// What the engine of a static page (tools/engine) has in place of parts of the command that it leaves out: verbs that the page does not
+// ask, the formats of other programs, the server itself, and bounds of memory, which WebAssembly sets.
+
+#include "command/detail/memory.hpp"
+#include "command/detail/verb.hpp"
+#include "exchange/exchange.hpp"
+#include "language/language.hpp"
+#include "lesson/lesson.hpp"
+#include "model/model.hpp"
+#include "notation/notation.hpp"
+#include "render/render.hpp"
+#include "studio/studio.hpp"
+
+namespace algae {
+
+namespace {
+
+[[noreturn]] void refuse(const char* what) {
+    throw Error(std::string(what) + ": the engine of this page does not have it; the command has");
+}
+
+}  // namespace
+
+// Texts that come with the command, beside those of systems.
+std::span<const GalleryEntry> generator_gallery() { return {}; }
+std::span<const GalleryEntry> theory_claims() { return {}; }
+std::vector<Lesson> lessons() { return {}; }
+
+// Claims and languages.
+Claim read_claim(std::string_view, const std::string&, const SystemSource&,
+                 const std::vector<std::string>&) {
+    refuse("a claim");
+}
+Answer decide(const Statement&, const Claim&, const Budget&, const SearchLimits&) {
+    refuse("a claim");
+}
+std::vector<std::string> sentences(const Answer&, const Alphabet&) { refuse("a claim"); }
+Language generated_language(std::shared_ptr<const SourceSystem>) { refuse("a language"); }
+ContextGrowth context_growth(const IL&, const Budget&) { refuse("growth with context"); }
+
+// Files of other programs.
+std::vector<Conversion> conversions() { return {}; }
+std::string converted(std::string_view, const std::string&, const std::string&, const std::string&,
+                      const Budget&) {
+    refuse("another format");
+}
+const std::vector<SystemFormat>& system_formats() {
+    static const std::vector<SystemFormat> none;
+    return none;
+}
+const SystemFormat* system_format(std::string_view) { return nullptr; }
+const SystemFormat* system_format_of(std::string_view) { return nullptr; }
+const GeneratorFormat* generator_format(std::string_view) { return nullptr; }
+std::pair<std::string, std::string> file_and_entry(const std::string& name) { return {name, ""}; }
+std::string cpfg_with_included(std::string_view text, const std::string&, const IncludedText&) {
+    return std::string(text);
+}
+CpfgFiles cpfg_files(std::string_view, const std::string&) { refuse("a file of cpfg"); }
+Model with_cpfg_view(const Model&, std::string_view, const std::string&) {
+    refuse("a file of cpfg");
+}
+std::pair<std::uint64_t, std::uint64_t> cpfg_frames(std::string_view, const std::string&) {
+    refuse("a file of cpfg");
+}
+
+// Plots as files: the page draws its own.
+Plot growth_plot(const D0L&, std::uint64_t, std::uint64_t, const Budget&) { refuse("a plot"); }
+void draw_plot(const Plot&, const std::string&, const Budget&) { refuse("a plot"); }
+
+// The server.
+void serve(const Studio&) { refuse("a server"); }
+std::string random_token() { refuse("a server"); }
+std::string_view studio_page() { refuse("a server"); }
+std::vector<Answered> answer_apart(const std::vector<std::string>&,
+                                   const std::function<int(const std::string&)>&,
+                                   const StudioShare&, const std::function<bool(std::size_t)>&) {
+    refuse("the marking of a class");
+}
+
+}  // namespace algae
+
+namespace algae::command {
+
+void bound_memory(std::uint64_t) {}
+bool is_memory_used_up() { return false; }
+
+void add_member(Verbs&) {}
+void add_finite(Verbs&) {}
+void add_equal(Verbs&) {}
+void add_is(Verbs&) {}
+void add_list(Verbs&) {}
+void add_check(Verbs&) {}
+void add_verify(Verbs&) {}
+void add_lesson(Verbs&) {}
+void add_lsp(Verbs&) {}
+void add_words(Verbs&) {}
+void add_infer(Verbs&) {}
+void add_closure(Verbs&) {}
+void add_census(Verbs&) {}
+void add_draw(Verbs&) {}
+void add_dimension(Verbs&) {}
+void add_tree(Verbs&) {}
+void add_figures(Verbs&) {}
+void add_generators(Verbs&) {}
+void add_latex(Verbs&) {}
+void add_manual(Verbs&) {}
+
+}  // namespace algae::command

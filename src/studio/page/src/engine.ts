@@ -1,0 +1,176 @@
+// Who answers the page's questions: the server that it came from, or, where the page is a folder of static files, the engine as
+// WebAssembly in Workers. Both take the same questions and give the same answers; the page only knows this face.
+
+import type { FromWorker } from './worker';
+import { texts } from './texts';
+
+export interface Head {
+  status: number;
+  end: 'answered' | 'gone' | 'time' | 'size' | 'broken';
+  said: string;
+  seconds: number;
+}
+export interface Answer extends Head {
+  bytes: Uint8Array;
+}
+export type Question = Record<string, unknown>;
+
+export interface Engine {
+  /** Answers to the end; an aborted question ends at once with an AbortError. `refuse` makes the error of a question that is not taken. */
+  answer(question: Question, signal: AbortSignal | null, progress: (line: string) => void, refuse: (message: string) => Error): Promise<Answer>;
+  /** Why a question is not answered here; null where it is. */
+  lacks(question: string): string | null;
+}
+
+const newline = 10;
+const tilde = 126;
+
+/** An answer of the server is a stream: lines that begin with ~ say how far the work is, then one line of JSON says how it ended, and the
+ * bytes behind it are the answer itself. */
+const server: Engine = {
+  lacks: () => null,
+  async answer(question, signal, progress, refuse) {
+    const response = await fetch('ask', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(question), signal });
+    if (!response.ok) throw refuse((await response.text()).trim());
+    const reader = response.body!.getReader();
+    const pieces: Uint8Array[] = [];
+    let rest = new Uint8Array(0);
+    let head: Head | null = null;
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) break;
+      if (head) {
+        pieces.push(value);
+        continue;
+      }
+      const joined = new Uint8Array(rest.length + value.length);
+      joined.set(rest);
+      joined.set(value, rest.length);
+      let from = 0;
+      for (let end = joined.indexOf(newline); end >= 0 && !head; end = joined.indexOf(newline, from)) {
+        const line = new TextDecoder().decode(joined.subarray(from, end));
+        if (joined[from] === tilde) progress(line.slice(1));
+        else if (line) head = JSON.parse(line) as Head;
+        from = end + 1;
+      }
+      rest = joined.slice(from);
+    }
+    if (!head) throw refuse(texts.ended);
+    const bytes = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, rest.length));
+    bytes.set(rest);
+    let at = rest.length;
+    for (const piece of pieces) {
+      bytes.set(piece, at);
+      at += piece.length;
+    }
+    return { ...head, bytes };
+  },
+};
+
+/** What the engine of static files is built without (tools/studio --static says which rooms it has): pictures as files, languages and claims,
+ * dimension, lessons. */
+export const leftOut = ['picture', 'letters', 'dimension', 'member', 'list', 'finite', 'check', 'certificate', 'lessons', 'lesson', 'mark', 'editor'];
+
+const usualSeconds = 30;
+
+/** A question that waits for a Worker or is with one. */
+interface Task {
+  question: Question;
+  seconds: number;
+  progress: (line: string) => void;
+  done: (answer: Answer) => void;
+  fail: (error: unknown) => void;
+}
+
+/** The engine in Workers. A Worker has one question at a time; to end the question is to end the Worker, and the next one gets the compiled
+ * module, which is what takes long to make. */
+class Workers implements Engine {
+  private readonly module: Promise<WebAssembly.Module>;
+  private readonly idle: Worker[] = [];
+  private readonly waiting: Task[] = [];
+  private running = 0;
+
+  constructor(private readonly most: number) {
+    this.module = this.load();
+  }
+
+  private async load(): Promise<WebAssembly.Module> {
+    const response = await fetch('engine.wasm');
+    if (!response.ok) throw new Error(texts.noEngine);
+    // Compiled while it comes, where the server of the files says what they are.
+    if (response.headers.get('Content-Type') === 'application/wasm') return WebAssembly.compileStreaming(response);
+    return WebAssembly.compile(await response.arrayBuffer());
+  }
+
+  lacks(question: string): string | null {
+    return leftOut.includes(question) ? texts.needsCommand : null;
+  }
+
+  answer(question: Question, signal: AbortSignal | null, progress: (line: string) => void, refuse: (message: string) => Error): Promise<Answer> {
+    const reason = this.lacks(String(question['question']));
+    if (reason) return Promise.reject(refuse(reason));
+    return new Promise((done, fail) => {
+      const asked = Number(question['seconds']);
+      const task: Task = { question, seconds: asked > 0 && asked < usualSeconds ? asked : usualSeconds, progress, done, fail };
+      if (signal?.aborted) return fail(signal.reason);
+      signal?.addEventListener('abort', () => {
+        const at = this.waiting.indexOf(task);
+        if (at >= 0) this.waiting.splice(at, 1);
+        fail(signal.reason);
+        this.stop(task);
+      });
+      this.waiting.push(task);
+      void this.work();
+    });
+  }
+
+  private readonly stops = new Map<Task, () => void>();
+  private stop(task: Task): void {
+    this.stops.get(task)?.();
+  }
+
+  private async work(): Promise<void> {
+    if (this.running >= this.most) return;
+    const task = this.waiting.shift();
+    if (!task) return;
+    ++this.running;
+    let module: WebAssembly.Module;
+    try {
+      module = await this.module;
+    } catch (error) {
+      --this.running;
+      task.fail(error);
+      return void this.work();
+    }
+    const worker = this.idle.pop() ?? new Worker('worker.js');
+    const end = (keep: boolean): void => {
+      clearTimeout(clock);
+      this.stops.delete(task);
+      worker.onmessage = worker.onerror = null;
+      if (keep) this.idle.push(worker);
+      else worker.terminate();
+      --this.running;
+      void this.work();
+    };
+    const broken = (why: Head['end']): void => {
+      end(false);
+      task.done({ status: 3, end: why, said: '', seconds: task.seconds, bytes: new Uint8Array(0) });
+    };
+    // The engine says itself when its time is over; this is for work that does not look.
+    const clock = setTimeout(() => broken('time'), (task.seconds + 2) * 1000);
+    this.stops.set(task, () => end(false));
+    worker.onerror = () => broken('broken');
+    worker.onmessage = (event: MessageEvent<FromWorker>) => {
+      const found = event.data;
+      if ('progress' in found) return task.progress(found.progress);
+      if (found.broken) return broken('broken');
+      end(true);
+      task.done({ status: found.status, end: 'answered', said: found.said, seconds: task.seconds, bytes: found.bytes });
+    };
+    worker.postMessage({ module, question: task.question, seconds: task.seconds });
+  }
+}
+
+/** A page of static files says so in its first element. */
+export const isStatic = document.documentElement.dataset['engine'] === 'static';
+export const engine: Engine = isStatic ? new Workers(Math.max(1, Math.min(3, (navigator.hardwareConcurrency || 2) - 1))) : server;

@@ -23,6 +23,8 @@ const check = (condition, what) => {
   }
 };
 
+process.setMaxListeners(0); // each instance of the engine listens to node's own troubles
+
 // What takes part: the engine here, and the command.
 const make = createRequire(import.meta.url)(`${folder}/engine.js`);
 const module = await WebAssembly.compile(readFileSync(`${folder}/engine.wasm`));

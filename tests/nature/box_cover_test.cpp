@@ -14,7 +14,7 @@ TEST_CASE("a coast that boxes cover is closed, and rougher than a smooth line") 
     cover.shape = BoxCover::Shape::coast;
     double slopes = 0;
     int coasts = 0;
-    for (const std::uint64_t seed : {2, 3, 4, 6, 7}) {
+    for (const std::uint64_t seed : {2U, 3U, 4U, 6U, 7U}) {
         cover.seed = seed;
         const std::vector<Stroke> lines = cover.strokes({});
         REQUIRE(lines.size() == 1);

@@ -164,13 +164,13 @@ def test_dimensions_are_those_of_the_command(command):
 def test_trees_are_those_of_the_command(command, tmp_path):
     def compare(name):
         theirs = command("tree", name, "-n", "2", "--json", "-o", str(tmp_path / "tree.dot"))
-        if theirs is None:
+        if theirs is None or "error" in theirs:  # too large for both, too
             with pytest.raises((algae.Error, algae.Stopped)):
                 LSystem(name).tree(2, timeout=60)
             return None
         system = LSystem(name)
         seed = 1 if system.to_dict()["stochastic"] else None  # as the command picks
-        mine = system.tree(2, seed=seed, max_nodes=100_000)  # as many as the command writes to .dot
+        mine = system.tree(2, seed=seed)
         assert (len(mine.nodes), len(mine.edges)) == (theirs["nodes"], theirs["edges"])
         return True
 

@@ -46,6 +46,7 @@ static long wanted = 0;
 static long count = 0;  // of calls of the kind
 static int in_main = 0;
 static long step = 0;  // forks at each step-th allocation; 0 if it does not fork
+static pid_t main_process = 0;
 
 static int is_due(void) { return __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED) == wanted; }
 
@@ -114,17 +115,20 @@ static int fork_here(void) {
     return 0;
 }
 
-/// Before the first write: what follows cannot be tried by forks, which would share the files.
+/// Before the first write, and in a process that the program has forked itself: what follows cannot be tried by forks, which would
+/// share the files and the pipes.
 static void end_forks(void) {
     if (!in_main || step == 0) return;
     char text[64];
     const int length = snprintf(text, sizeof text, "end %ld\n", count);
     syscall(SYS_write, 198, text, (size_t)length);
+    if (getpid() != main_process) kill(main_process, SIGKILL);
     _exit(0);
 }
 
 static int is_failing(void) {
     if (step == 0) return is_due();
+    if (getpid() != main_process) end_forks();
     return ++count >= wanted && (count - wanted) % step == 0 && fork_here();
 }
 
@@ -242,6 +246,7 @@ int pthread_create(pthread_t* made, const pthread_attr_t* how, void* (*work)(voi
 static int (*real_main)(int, char**, char**);
 static int counted_main(int number, char** arguments, char** environment) {
     in_main = 1;
+    main_process = getpid();
     const int status = real_main(number, arguments, environment);
     end_forks();
     write_count();

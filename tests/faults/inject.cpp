@@ -8,8 +8,8 @@
 // Crashes inside of Cairo, Pango, fontconfig and Graphviz, which do not look whether there is memory, are told apart: they are listed with
 // the library's name, and fail nothing. The frame that crashed decides, with those of the C and C++ libraries passed over, as a null
 // pointer is given to strlen, and abort is called: a crash of our own code is ours, also where a library called it and where the
-// allocation that failed was the library's. Where one of these libraries goes on without the memory, and a picture has another font, the
-// frame that allocated decides in the same way.
+// allocation that failed was the library's. Where one of these libraries goes on without the memory, and a picture has another font, or
+// goes round for ever, the frame that allocated decides in the same way.
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -282,7 +282,7 @@ std::string flaw(Runner& runner, const Normal& normal, const std::string& kind, 
     const bool has_parts = runner.has_parts();
     const std::string made = runner.made();
     const bool is_old = made == Runner::old, is_new = made == normal.made;
-    if (status == -1) return "hangs";
+    if (status == -1) return "hangs in " + place_of(runner.failed());
     if (runner.has_output() && !is_old && !is_new)
         return status == normal.status
                    ? "success with another output, in " + place_of(runner.failed())

@@ -604,6 +604,8 @@ void begin_with_first_rule(std::string_view text, Reading& reading) {
     if (!first.left.empty() || !first.right.empty() || !first.elsewhere.empty())
         return refuse("as the first rule has a context, such as 'axiom " + letter + letter +
                       "; ...'");
+    if (letter == "[" || letter == "]")
+        return refuse("as the first rule is of a bracket, such as 'axiom a; ...'");
     if (first.shape)
         return refuse("as the first rule is one of shapes, such as 'axiom " + letter +
                       "(1,1,1); ...'");

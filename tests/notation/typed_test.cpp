@@ -80,6 +80,9 @@ TEST_CASE("a typed system tells what is wrong at its place, and how it is said")
     CHECK(fault("A -> I(B)") ==
           "typed:1:1: error: expected an axiom, as the first rule is one of shapes, such as 'axiom "
           "A(1,1,1); ...'");
+    CHECK(fault("] -> 01, 1 -> 10") ==
+          "typed:1:1: error: expected an axiom, as the first rule is of a bracket, such as 'axiom "
+          "a; ...'");
     CHECK(fault("angle 60") ==
           "typed:1:9: error: expected an axiom, such as 'axiom a; a -> ab', found none");
     CHECK(fault("a -> ab, b = a") != "");

@@ -5,23 +5,15 @@
 // FOLDER has the page of static files (tools/studio --static). The engine, in node, and a studio of the command ALGAE get the same questions
 // about ten systems, and their answers are compared: texts and whole numbers must be equal, other numbers to a millionth of the largest, as
 // sines of the two machines differ in the last digit. Then Chromium opens the page, served as files, and what is on the screen is read.
-import { spawn } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
 import { gzipSync } from 'node:zlib';
 import { answerOf } from './built/program.mjs';
+import { checks, startedStudio } from './driving.mjs';
 
 const [algae, folder, pictures, executable] = process.argv.slice(2);
-let passed = 0;
-const failures = [];
-const check = (condition, what) => {
-  if (condition) ++passed;
-  else {
-    failures.push(what);
-    console.error(`FAILED: ${what}`);
-  }
-};
+const { check, end } = checks();
 
 process.setMaxListeners(0); // each instance of the engine listens to node's own troubles
 
@@ -29,15 +21,7 @@ process.setMaxListeners(0); // each instance of the engine listens to node's own
 const make = createRequire(import.meta.url)(`${folder}/engine.js`);
 const module = await WebAssembly.compile(readFileSync(`${folder}/engine.wasm`));
 const engineSays = (question) => answerOf(make, module, question, 60, () => {});
-const studio = spawn(algae, ['studio', '--timeout', '120'], { stdio: ['ignore', 'pipe', 'inherit'] });
-const address = await new Promise((done, fail) => {
-  let text = '';
-  studio.stdout.on('data', (piece) => {
-    text += piece;
-    if (text.includes('\n')) done(text.split('\n')[0]);
-  });
-  studio.on('exit', () => fail(new Error('the studio ended')));
-});
+const { studio, address } = await startedStudio(algae, '--timeout', '120');
 const commandSays = async (question) => {
   const response = await fetch(`${address.replace(/\/?$/, '/')}ask`, { method: 'POST', headers: { 'Content-Type': 'application/json', Origin: new URL(address).origin }, body: JSON.stringify(question) });
   let bytes = Buffer.from(await response.arrayBuffer());
@@ -170,5 +154,4 @@ if (executable) {
   await browser.close();
   files.close();
 }
-console.log(`${passed} passed, ${failures.length} failed`);
-process.exit(failures.length > 0 ? 1 : 0);
+end();

@@ -8,27 +8,20 @@
 //
 // Nothing here waits for a time: a step ends when the page says that it is not busy any more (aria-busy), or when the text that is
 // waited for is there. The one limit is how long a page may be busy before the run gives up, which is far from what it takes on a busy machine.
-import { spawn, spawnSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { inflateRawSync } from 'node:zlib';
 import { chromium } from 'playwright-core';
+import { checks, startedStudio } from './driving.mjs';
 
 const [algae, pictures, executable = '/usr/bin/chromium'] = process.argv.slice(2);
 const root = new URL('../..', import.meta.url).pathname;
 const patience = 180_000; // milliseconds
 mkdirSync(pictures, { recursive: true });
 
-let passed = 0;
-const failures = [];
-const check = (condition, what) => {
-  if (condition) ++passed;
-  else {
-    failures.push(what);
-    console.error(`FAILED: ${what}`);
-  }
-};
+const { check, end } = checks();
 /** What the command says. */
 const say = (words, input = '') => {
   const done = spawnSync(algae, words, { input, encoding: 'utf8', maxBuffer: 1 << 28 });
@@ -38,15 +31,7 @@ const say = (words, input = '') => {
 const sayJson = (words, input) => JSON.parse(say([...words, '--json'], input));
 
 const folder = mkdtempSync(`${tmpdir()}/algae-page-`);
-const studio = spawn(algae, ['studio', folder, '--timeout', '120'], { stdio: ['ignore', 'pipe', 'inherit'] });
-const address = await new Promise((done, fail) => {
-  let text = '';
-  studio.stdout.on('data', (piece) => {
-    text += piece;
-    if (text.includes('\n')) done(text.split('\n')[0]);
-  });
-  studio.on('exit', () => fail(new Error('the studio ended')));
-});
+const { studio, address } = await startedStudio(algae, folder, '--timeout', '120');
 check((await (await fetch(address)).text()) === readFileSync('built/page.html', 'utf8'), 'the command serves the page that its sources make');
 
 const browser = await chromium.launch({ executablePath: executable, args: ['--no-sandbox', '--use-gl=swiftshader', '--enable-unsafe-swiftshader'] });
@@ -478,5 +463,4 @@ try {
 const status = await new Promise((done) => (studio.exitCode === null ? studio.on('exit', (code) => done(code)) : done(studio.exitCode)));
 check(status === 0, `Ctrl-C ends the studio with 0, not ${status}`);
 rmSync(folder, { recursive: true });
-console.log(`${passed} passed, ${failures.length} failed`);
-process.exit(failures.length > 0 ? 1 : 0);
+end();

@@ -4,12 +4,11 @@
 //     node times.mjs ALGAE PICTURES [CHROMIUM]
 //
 // It decides nothing: times are for people who make the page faster.
-import { spawn } from 'node:child_process';
 import { chromium } from 'playwright-core';
+import { startedStudio } from './driving.mjs';
 
 const [algae, , executable = '/usr/bin/chromium'] = process.argv.slice(2);
-const studio = spawn(algae, ['studio'], { stdio: ['ignore', 'pipe', 'inherit'] });
-const address = await new Promise((done) => studio.stdout.once('data', (text) => done(String(text).trim())));
+const { studio, address } = await startedStudio(algae);
 const browser = await chromium.launch({ executablePath: executable, args: ['--no-sandbox', '--use-gl=swiftshader', '--enable-unsafe-swiftshader'] });
 const page = await browser.newPage({ viewport: { width: 1400, height: 860 } });
 await page.addInitScript(() => addEventListener('keydown', (event) => (window.keyAt = event.timeStamp), true));

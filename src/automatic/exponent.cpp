@@ -145,6 +145,20 @@ struct Quotient {
     Polynomial above, below = 1;
 };
 
+/// n below - p above: its sign is that of n/p - above/below.
+Polynomial apart(const std::pair<Integer, Integer>& one, const Quotient& limit) {
+    return Polynomial(one.first) * limit.below - Polynomial(one.second) * limit.above;
+}
+
+/// The sign of a number of Z[r], reduced by the minimal polynomial of r, so that it is 0 only if the polynomial is.
+int sign_at(const Rate& r, const Polynomial& reduced, const Budget& budget) {
+    if (reduced.is_zero()) return 0;
+    for (long bits = 128;; bits *= 2) {
+        budget.check();
+        if (const auto found = sign(reduced(r.enclosure(bits)))) return *found;
+    }
+}
+
 /// What is known of n/p so far.
 class Suprema {
 public:
@@ -214,20 +228,10 @@ private:
         best_ = one;
     }
 
-    /// n below - p above: its sign is that of n/p - above/below.
-    static Polynomial apart(const Pair& one, const Quotient& limit) {
-        return Polynomial(one.first) * limit.below - Polynomial(one.second) * limit.above;
-    }
-
     Ball value(const Polynomial& one, long bits) const { return one(rate_.enclosure(bits)); }
 
     int sign_of(const Polynomial& one) const {
-        const Polynomial reduced = field_.reduced(one);
-        if (reduced.is_zero()) return 0;
-        for (long bits = 128;; bits *= 2) {
-            budget_.check();
-            if (const auto found = sign(value(reduced, bits))) return *found;
-        }
+        return sign_at(rate_, field_.reduced(one), budget_);
     }
 
     void follow(const Family& family) {
@@ -388,35 +392,13 @@ namespace {
 
 using Counts = std::vector<Integer>;
 
-Integer product(const Counts& left, const Counts& right) {
-    Integer sum = 0;
-    for (std::size_t i = 0; i < left.size(); ++i) sum += left[i] * right[i];
-    return sum;
-}
-
-Counts product(const IntegerMatrix& matrix, const Counts& counts) {
-    Counts found(matrix.rows());
-    for (std::size_t a = 0; a < matrix.rows(); ++a)
-        for (std::size_t b = 0; b < counts.size(); ++b)
-            if (!matrix(a, b).is_zero()) found[a] += matrix(a, b) * counts[b];
-    return found;
-}
-
-GrowthMatrix rows_of(const IntegerMatrix& matrix) {
-    GrowthMatrix found{std::vector<std::vector<GrowthMatrix::Entry>>(matrix.rows())};
-    for (std::size_t a = 0; a < matrix.rows(); ++a)
-        for (std::size_t b = 0; b < matrix.columns(); ++b)
-            if (!matrix(a, b).is_zero()) found.rows[a].push_back({b, matrix(a, b)});
-    return found;
-}
-
 /// The greatest |v|/p of repetitions, where words are images of themselves.
 class GreatestQuotient {
 public:
     GreatestQuotient(const GreatestRepetitions& all, const Budget& budget)
         : all_(all),
           budget_(budget),
-          rate_(*components(rows_of(all.step), budget).list.front().rate),
+          rate_(*components(growth_matrix(all.step), budget).list.front().rate),
           field_(rate_.minimal_polynomial()) {
         find_eigenvector();
         for (const RepetitionChain& chain : all.chains) {
@@ -475,13 +457,13 @@ private:
         void step() {
             of_.budget_.check();
             for (std::size_t i = 0; i < chain_.rounds; ++i) {
-                word_ = product(of_.all_.step, word_);
-                period_ = product(of_.all_.step, period_);
+                word_ = of_.all_.step * word_;
+                period_ = of_.all_.step * period_;
             }
             for (std::size_t a = 0; a < word_.size(); ++a) word_[a] += chain_.added[a];
         }
-        Integer length() const { return product(of_.all_.lengths, word_) + chain_.behind; }
-        Integer distance() const { return product(of_.all_.lengths, period_); }
+        Integer length() const { return dot(of_.all_.lengths, word_) + chain_.behind; }
+        Integer distance() const { return dot(of_.all_.lengths, period_); }
         const Counts& word() const { return word_; }
         const Counts& period() const { return period_; }
 
@@ -501,10 +483,7 @@ private:
         for (std::size_t k = size; k-- > 0;) {
             budget_.check();
             for (std::size_t a = 0; a < size; ++a) left_[a] += Polynomial::monomial(row[a], k);
-            Counts next(size);
-            for (std::size_t a = 0; a < size; ++a)
-                for (std::size_t b = 0; b < size; ++b) next[b] += row[a] * all_.step(a, b);
-            row = std::move(next);
+            row = row * all_.step;
             row[0] += characteristic.coefficient(k);
         }
         for (Polynomial& one : left_) one = field_.reduced(one);
@@ -526,23 +505,14 @@ private:
     Ball value(const Polynomial& one, long bits) const { return one(rate_.enclosure(bits)); }
 
     int sign_of(const Polynomial& one) const {
-        const Polynomial reduced = field_.reduced(one);
-        if (reduced.is_zero()) return 0;
-        for (long bits = 128;; bits *= 2) {
-            budget_.check();
-            if (const auto found = sign(value(reduced, bits))) return *found;
-        }
+        return sign_at(rate_, field_.reduced(one), budget_);
     }
 
     bool is_above(const Quotient& one, const Quotient& other) const {
         return sign_of(one.above * other.below - other.above * one.below) > 0;
     }
-    Polynomial apart(const Pair& one) const {
-        return field_.reduced(Polynomial(one.first) * limit_->below -
-                              Polynomial(one.second) * limit_->above);
-    }
     /// Whether it is above the greatest limit, or on it.
-    int side(const Pair& one) const { return sign_of(apart(one)); }
+    int side(const Pair& one) const { return sign_of(apart(one, *limit_)); }
 
     void note(const Integer& n, const Integer& p) {
         const Integer left = n * best_.second, right = best_.first * p;
@@ -574,7 +544,7 @@ private:
         while (
             std::any_of(power.begin(), power.end(), [](const Integer& one) { return one < 2; })) {
             for (std::size_t a = 0; a < sum.size(); ++a) sum[a] += power[a];
-            for (std::size_t i = 0; i < chain.rounds; ++i) power = product(all_.step, power);
+            for (std::size_t i = 0; i < chain.rounds; ++i) power = all_.step * power;
         }
         for (Walk walk(*this, chain);; walk.step()) {
             note(walk.length(), walk.distance());
@@ -601,7 +571,7 @@ private:
         const auto at = [&](std::size_t k) -> const Polynomial& {
             for (; values.size() <= k; walk.step()) {
                 note(walk.length(), walk.distance());
-                values.push_back(apart({walk.length(), walk.distance()}));
+                values.push_back(field_.reduced(apart({walk.length(), walk.distance()}, *limit_)));
             }
             return values[k];
         };

@@ -338,6 +338,15 @@ std::vector<Integer> shortest_recurrence(const std::vector<Integer>& sequence) {
     return found;
 }
 
+Integer size(const Counts& counts) {
+    return std::accumulate(counts.begin(), counts.end(), Integer(0));
+}
+
+Counts sum(Counts left, const Counts& right) {
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
+    return left;
+}
+
 /// All bispecial factors of the word, from those of the derived words.
 class Tracing {
 public:
@@ -392,18 +401,12 @@ private:
     void descend(std::size_t level, const Pairs& pairs, const Counts& counts,
                  std::vector<Ending>& ends) const {
         if (level == 0) {
-            if (const auto m = *multiplicity(pairs); m != 0)
-                ends.push_back({std::accumulate(counts.begin(), counts.end(), Integer(0)), m});
+            if (const auto m = *multiplicity(pairs); m != 0) ends.push_back({size(counts), m});
             return;
         }
         for (const Image& image : levels_[level - 1].images(pairs))
             descend(level - 1, image.pairs, sum(levels_[level - 1].image(counts), image.added),
                     ends);
-    }
-
-    static Counts sum(Counts left, const Counts& right) {
-        for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
-        return left;
     }
 
     void add_single(const std::vector<Ending>& ends) {
@@ -678,10 +681,6 @@ public:
     }
 
 private:
-    static Integer size(const Counts& counts) {
-        return std::accumulate(counts.begin(), counts.end(), Integer(0));
-    }
-
     /// The letters before the images of a word between such letters of the next derived word, and what the images have before them in common.
     Break before(std::size_t level, const Break& of, Counts& word) const {
         const Images& returns = levels_[level].returns();
@@ -725,21 +724,15 @@ private:
         for (Counts power(letters_, Integer(1));;) {
             budget_.check();
             for (std::size_t a = 0; a < letters_; ++a) growing_[a] += power[a];
-            power = times(all.step, power);
+            power = all.step * power;
             if (std::all_of(power.begin(), power.end(),
                             [](const Integer& one) { return one >= 2; }))
                 return;
         }
     }
 
-    static Counts times(const IntegerMatrix& matrix, const Counts& counts) {
-        Counts found(matrix.rows());
-        for (std::size_t a = 0; a < matrix.rows(); ++a)
-            for (std::size_t b = 0; b < counts.size(); ++b) found[a] += matrix(a, b) * counts[b];
-        return found;
-    }
-
-    std::size_t above(std::size_t level) const {
+    /// The level of the next derived word.
+    std::size_t next_level(std::size_t level) const {
         return level + 1 == levels_.size() ? before_ : level + 1;
     }
 
@@ -755,7 +748,7 @@ private:
     /// Words of a level that have all its factors of so many letters.
     std::vector<Word> texts(std::size_t level, std::size_t length) const {
         Images images = levels_[level].returns();
-        std::size_t of = above(level);  // these are images of its letters
+        std::size_t of = next_level(level);  // these are images of its letters
         const auto is_short = [&](const Word& word) { return word.size() < length; };
         while (std::any_of(images.begin(), images.end(), is_short)) {
             budget_.check();
@@ -770,7 +763,7 @@ private:
                     too_large("have repetitions that are too long");
             }
             images = std::move(next);
-            of = above(of);
+            of = next_level(of);
         }
         std::vector<Word> found;
         std::size_t size = 0;
@@ -929,11 +922,6 @@ private:
             counts = sum(std::move(counts), most);
         }
         return counts;
-    }
-
-    static Counts sum(Counts left, const Counts& right) {
-        for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
-        return left;
     }
 
     void chains(GreatestRepetitions& all) const {

@@ -170,7 +170,6 @@ public:
         out_.status = certain ? Status::exact : Status::upper_bound;
         out_.value = certain ? LogRatio(*best, ratio_) : *out_.similarity;
         if (!certain || meets_unknown_) out_.meeting.reset();
-        if (!certain) out_.is_regular = false;
         if (certain && out_.value->rational() == Rational(2)) find_boundary();
         return out_;
     }

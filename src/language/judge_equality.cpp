@@ -502,12 +502,17 @@ private:
     /// The same among the very first words, where a side is made of systems with context.
     std::optional<Answer> first_difference_in_context(bool left_only) const {
         if (!has_context(left_) && !has_context(right_)) return std::nullopt;
-        std::vector<Word> words = first_words(*left_, budget_);
-        for (Word& word : first_words(*right_, budget_)) words.push_back(std::move(word));
-        for (Word& word : short_words(first_tried)) words.push_back(std::move(word));
+        std::vector<Word> words;
+        std::set<Word> known;
+        const auto add = [&](Word word) {
+            if (known.insert(word).second) words.push_back(std::move(word));
+        };
+        for (const Language& side : {left_, right_})
+            for (Word& word : first_words(*side, budget_)) add(std::move(word));
+        for (Word& word : short_words(first_tried)) add(std::move(word));
         for (const Language& side : {left_, right_})
             for (Word& word : derived_words(*side, {first_derived, 20 * first_derived, {}}))
-                if (word.size() <= longest_first) words.push_back(std::move(word));
+                if (word.size() <= longest_first) add(std::move(word));
         return difference(words, left_only);
     }
 

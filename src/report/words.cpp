@@ -23,15 +23,22 @@ constexpr std::size_t letters_shown = 60;             // of a word on the page
 constexpr std::size_t runs_listed = 1000;             // in JSON
 constexpr int digits_shown = 6, digits_in_json = 15;  // after the point
 
+/// The first entries of a list; where there are more, `rest` behind them.
 template <class Things, class Text>
-std::string some_of(const Things& things, const char* between, Text text) {
+std::string first_of(const Things& things, const char* between, Text text,
+                     const std::string& rest) {
     std::string all;
     std::size_t count = 0;
     for (const auto& thing : things) {
-        if (count == entries) return all + fmt::format("{}... ({} in all)", between, things.size());
+        if (count == entries) return all + between + rest;
         all += (count++ == 0 ? "" : between) + text(thing);
     }
     return all;
+}
+
+template <class Things, class Text>
+std::string some_of(const Things& things, const char* between, Text text) {
+    return first_of(things, between, text, fmt::format("... ({} in all)", things.size()));
 }
 
 std::string number(std::uint64_t value) { return std::to_string(value); }
@@ -160,14 +167,8 @@ namespace {
 
 /// The first entries of a long list, as LaTeX mathematics.
 template <class Things, class Text>
-std::string first_of(const Things& things, const char* between, Text text) {
-    std::string all;
-    std::size_t count = 0;
-    for (const auto& thing : things) {
-        if (count == entries) return all + between + "\\dots";
-        all += (count++ == 0 ? "" : between) + text(thing);
-    }
-    return all;
+std::string latex_of(const Things& things, const char* between, Text text) {
+    return first_of(things, between, text, "\\dots");
 }
 
 }  // namespace
@@ -185,18 +186,18 @@ std::string to_latex(const WordReport& report) {
     if (!word.empty()) {
         rows.insert(
             rows.end(),
-            {{"periods", first_of(report.periods, ", ", number)},
-             {"borders", first_of(report.borders, ", ",
+            {{"periods", latex_of(report.periods, ", ", number)},
+             {"borders", latex_of(report.borders, ", ",
                                   [&](std::size_t length) {
                                       return part({0, length});
                                   })},
              {"exponent", formula_latex(to_string(*exponent(report)))},
              {"primitive root", word_latex(alphabet, report.root)},
              {"least conjugate", word_latex(alphabet, report.conjugate)},
-             {"Lyndon factorisation", first_of(lyndon_words(report), " \\mid ", part)},
+             {"Lyndon factorisation", latex_of(lyndon_words(report), " \\mid ", part)},
              {"palindromes but the empty one", number(report.palindromes.count)},
              {"defect", number(report.palindromes.defect)},
-             {"palindromic factorisation", first_of(report.palindromes.fewest, " \\mid ", part)},
+             {"palindromic factorisation", latex_of(report.palindromes.fewest, " \\mid ", part)},
              {"runs", number(report.repetitions.runs.size())},
              {"distinct squares", number(report.repetitions.distinct_squares)},
              {"distinct factors", number(total(report.factors))}});

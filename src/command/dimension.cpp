@@ -14,6 +14,8 @@
 #include <filesystem>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/pictures.hpp"
@@ -61,6 +63,7 @@ struct Options {
     Measure measure = Measure::boxes;
     bool points = false, invert = false, json = false, latex = false, table = false, quick = false;
     bool rauzy = false;
+    std::optional<RauzyPicture> tiling;
     Bounds bounds;
 
     std::size_t places() const { return grids.value_or(usual_grids); }
@@ -137,7 +140,7 @@ Scaling lacunarity_of(const PointSet& points, const Budget& budget) {
 template <class Measured>
 ScalingReport measured_otherwise(Measure measure, std::string what, const Measured& measured,
                                  std::size_t grids, const Budget& budget) {
-    ScalingReport found{std::move(what), measure, {}, {}};
+    ScalingReport found{std::move(what), measure, {}, {}, {}};
     if (measure == Measure::information) {
         const auto one = dimensions_of(measured, std::span(&information_order, 1), grids, budget);
         found.scaling = one[0].scaling;
@@ -403,6 +406,15 @@ DimensionReport measure(const Model& system, const Options& options, const Budge
     return found;
 }
 
+/// Whether finer scales see more than coarser ones, as they do where points have noise.
+bool fills_finely(const PointSet& points, const BoxFit& fit) {
+    constexpr double more = 0.08;
+    if (!fit.estimate || points.detail > 0 || points.columns < 2) return false;
+    const auto begin = fit.slopes.begin() + static_cast<std::ptrdiff_t>(fit.first);
+    const auto end = fit.slopes.begin() + static_cast<std::ptrdiff_t>(fit.last);
+    return *std::max_element(begin, end) > *begin + more;
+}
+
 DimensionReport measure(const PointSet& points, const std::string& name, const Options& options,
                         const Budget& budget) {
     DimensionReport found;
@@ -411,6 +423,13 @@ DimensionReport measure(const PointSet& points, const std::string& name, const O
     found.what = name + ": " + std::to_string(found.counts.parts) +
                  (points.part == "pixel" ? " pixels of ink" : " different points");
     found.fit = fit_dimension(found.counts);
+    if (!fills_finely(points, found.fit)) return found;
+    const Scaling pairs = correlation(points, {}, budget);
+    if (pairs.noise == 0) return found;
+    found.counts.noise = pairs.noise;
+    found.fit = fit_dimension(found.counts);
+    found.fit.because += fmt::format("; freed of the noise, --measure correlation gives {:.4f}",
+                                     pairs.estimate->value);
     return found;
 }
 
@@ -575,13 +594,40 @@ DimensionReport measured(const Options& options, const Budget& budget) {
     return measure(std::get<PointSet>(read.content), read.name, options, budget);
 }
 
+/// Of maps with chances, the measure that these make, on points of the chaos game; beside it what is known exactly. Nothing of maps
+/// without them, and where density does not matter.
+std::optional<ScalingReport> measured_by_chances(const IteratedFunctions& maps,
+                                                 const Options& options, const Budget& budget) {
+    if (!maps.maps.front().probability || maps.states.size() != 1 ||
+        options.measure == Measure::divider || options.measure == Measure::lacunarity)
+        return std::nullopt;
+    constexpr std::uint64_t usual_points = 200'000;
+    IteratedFunctions game = maps;
+    game.generations.reset();
+    game.points = maps.points.value_or(usual_points);
+    const GeneratorFigure figure = game.measured_figure(budget);
+    ScalingReport found =
+        measured_otherwise(options.measure, figure.name, dots_of(*figure.figure, budget).value(),
+                           options.places(), budget);
+    if (options.measure == Measure::multifractal)
+        found.exact = maps.exact_spectrum(orders, budget);
+    else if (options.measure == Measure::information)
+        found.exact = maps.exact_spectrum(std::span(&information_order, 1), budget);
+    return found;
+}
+
 /// Measured by a measure other than boxes.
 ScalingReport other_measured(const Options& options, const Budget& budget) {
     if (is_generator(options.file)) {
         const auto generator = opened(options, budget);
+        if (const auto* const maps = dynamic_cast<const IteratedFunctions*>(generator.get()))
+            if (auto found = measured_by_chances(*maps, options, budget)) return *found;
         const GeneratorFigure figure = generator->measured_figure(budget);
-        return measured_otherwise(options.measure, figure.name, *figure.figure, options.places(),
-                                  budget);
+        const auto dots = dots_of(*figure.figure, budget);
+        return dots ? measured_otherwise(options.measure, figure.name, *dots, options.places(),
+                                         budget)
+                    : measured_otherwise(options.measure, figure.name, *figure.figure,
+                                         options.places(), budget);
     }
     const Input read = input(options, budget);
     if (const auto* points = std::get_if<PointSet>(&read.content))
@@ -603,7 +649,9 @@ int print_rauzy(const Options& options, const Budget& budget) {
     refuse("--measure", options.measure != Measure::boxes);
     refuse("--latex", options.latex);
     refuse("-n", !options.generation.empty());
-    refuse("--plot", !options.plot.empty());
+    if (options.tiling && options.plot.empty())
+        throw Error("--tiling says what --plot FILE draws, and no --plot is given");
+    if (!options.plot.empty()) picture_format(options.plot);  // before the work
     if (options.file.empty()) throw Error("dimension: expected FILE");
     if (is_generator(options.file))
         throw Error("--rauzy is for systems, and " + options.file + " is not one");
@@ -617,6 +665,14 @@ int print_rauzy(const Options& options, const Budget& budget) {
                        rauzy_fractal(*rules, budget)};
     for (const Symbol letter : report.found.letters)
         report.letters.push_back(system->alphabet.name(letter));
+    if (!options.plot.empty()) {
+        const auto figure =
+            rauzy_figure(*rules, options.tiling.value_or(RauzyPicture::fractal), budget);
+        PictureOptions picture;
+        picture.title = report.what;
+        draw_picture({figure.get(), report.what, ""}, target_of(options.plot),
+                     picture_format(options.plot), picture, budget);
+    }
     print_report(report, options.json);
     return success;
 }
@@ -625,6 +681,7 @@ int dimension(const Options& options) {
     if (options.table) end_questions(false);  // it prints row by row
     const Budget budget = options.bounds.budget();
     if (options.rauzy) return print_rauzy(options, budget);
+    if (options.tiling) throw Error("--tiling is for --rauzy");
     if (options.quick && !options.table) throw Error("--quick is for --table");
     if (options.table) {
         if (options.measure != Measure::boxes) throw Error("--table is for --measure boxes");
@@ -697,7 +754,7 @@ void add_dimension(Verbs& verbs) {
                 "lacunarity (gaps)");
     verb.output("--plot", options.plot, "FILE",
                 "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps, "
-                ".eps or .html");
+                ".eps or .html; with --rauzy the fractal, each part in a colour");
     verb.option("--grids", options.grids, grid_count, "N",
                 "over how many places of the grid counts are averaged (default 16)");
     verb.option("--within", options.within, width, "W",
@@ -706,6 +763,11 @@ void add_dimension(Verbs& verbs) {
     verb.flag("--rauzy", options.rauzy,
               "systems whose letters multiply like a Pisot substitution: the fractal of their "
               "prefixes, whether it tiles and is connected, and the dimension of its boundary");
+    verb.choice("--tiling", options.tiling,
+                {{"periodic", std::optional(RauzyPicture::periodic)},
+                 {"self-replicating", std::optional(RauzyPicture::self_replicating)}},
+                "periodic|self-replicating",
+                "with --rauzy and --plot: the fractal among its neighbours of a tiling");
     verb.flag("--points", options.points,
               "FILE holds points, whatever its name and first line are");
     verb.option("--threshold", options.threshold, positive_or_zero, "T",

@@ -148,12 +148,44 @@ private:
     std::shared_ptr<const WayGrowth> growth_;
 };
 
-/// A dimension as a formula: log rate / log ratio where all parts shrink alike, otherwise the
-/// solution of an equation between powers.
+/// A dimension of a self-affine carpet: of a grid of m by n cells, m < n, some are kept, each is made like the whole, and so on. With
+/// `lines`, how many cells are kept in each of the m lines where any are (s of them), N in all, the dimension of Hausdorff is
+/// log_m of the sum of t^(log_n m) over the lines, that of boxes log_m s + log_n(N / s) (Bedford, Crinkly curves, Markov partitions and
+/// box dimensions, 1984; McMullen, The Hausdorff dimension of general Sierpinski carpets, 1984), Assouad's
+/// log_m s + log_n max t (Mackay, Assouad dimension of self-affine carpets, 2011), and the lower one the same with the least t
+/// (Fraser, Assouad type dimensions and homogeneity of fractals, 2014).
+class CarpetDimension {
+public:
+    enum class Kind { hausdorff, box, assouad, lower };
+
+    /// Throws Error unless 2 <= m < n and there are 1 to m lines of 1 to n cells.
+    ///
+    /// Example: CarpetDimension(CarpetDimension::Kind::box, 2, 3, {2, 1}).text() == "1 + log (3/2) / log 3"
+    CarpetDimension(Kind kind, long m, long n, std::vector<long> lines);
+
+    std::optional<Rational> rational() const;
+    Ball enclosure(long bits) const;
+    /// "log (1 + 2^(log 2 / log 3)) / log 2" of Hausdorff, "1 + log (3/2) / log 3" of others.
+    std::string text() const;
+    /// Correctly rounded to so many digits after the point.
+    std::string decimal(int digits) const;
+
+private:
+    bool is_sum() const;
+    Rational in_line() const;  // what log_n is of
+
+    Kind kind_;
+    long m_, n_;
+    std::vector<long> lines_;  // the largest first
+};
+
+/// A dimension as a formula: log rate / log ratio where all parts shrink alike, the solution of an equation between powers where
+/// they do not, and sums of logarithms of carpets.
 class DimensionFormula {
 public:
     DimensionFormula(LogRatio formula) : formula_(std::move(formula)) {}
     DimensionFormula(RatioSum formula) : formula_(std::move(formula)) {}
+    DimensionFormula(CarpetDimension formula) : formula_(std::move(formula)) {}
 
     const LogRatio* log_ratio() const { return std::get_if<LogRatio>(&formula_); }
     const RatioSum* ratio_sum() const { return std::get_if<RatioSum>(&formula_); }
@@ -166,7 +198,7 @@ public:
     std::string decimal(int digits) const;
 
 private:
-    std::variant<LogRatio, RatioSum> formula_;
+    std::variant<LogRatio, RatioSum, CarpetDimension> formula_;
 };
 
 // The exact dimension.
@@ -176,7 +208,7 @@ class RecurrentSet;
 /// What the rules of a system say of the dimension of its limit curve.
 struct ExactDimension {
     enum class Status {
-        exact,        // the Hausdorff and the box dimension
+        exact,        // the Hausdorff and, unless there are `others`, the box dimension
         upper_bound,  // of both: some condition could not be verified
         unfinished,   // the letters or the memory of the budget were used up before it was found
         none          // the rules give no formula; `conditions` says why
@@ -195,6 +227,12 @@ struct ExactDimension {
     /// are the same, and the Hausdorff measure of the dimension is positive and finite (Fraser, Assouad Dimension and Fractal
     /// Geometry, 2020, section 6.4). If false, nothing is known of them.
     bool is_regular = false;
+    /// What other dimensions are where they differ from the value: that of boxes is the packing dimension too.
+    struct Others {
+        DimensionFormula box, assouad, lower;
+        std::string measure;  // the Hausdorff measure of the dimension
+    };
+    std::optional<Others> others;
     /// The parts of the limit, where they were found; its generations can be measured on them.
     std::shared_ptr<const RecurrentSet> limit;
     /// What was verified, or could not be, in sentences.
@@ -589,6 +627,8 @@ struct BoxCounts {
     std::string part = "segment";
     /// The dimension of the space it lies in, which no dimension exceeds.
     int space = 2;
+    /// The standard deviation of noise that points are seen to have, finer cells than a dozen of which see the noise; 0 if none is.
+    double noise = 0;
 
     /// The mean over the offsets.
     double mean(std::size_t scale) const;
@@ -627,6 +667,12 @@ struct PointSet {
 ///
 /// Example: read_points("x, y\n0, 0.5\n1 -2e3\n", "two.csv").points[1][1] == -2000
 PointSet read_points(std::string_view text, const std::string& name);
+
+/// The dots of a figure that is nothing but dots, such as a chaos game or an attractor, in drawing order; nothing if it draws something
+/// that has a length, or nothing at all. 24 bytes a dot.
+///
+/// Throws BoundReached if the dots need more memory than the budget has, Interrupted.
+std::optional<PointSet> dots_of(const Figure& figure, const Budget& budget);
 
 /// The box around the points, as a range for each column; its longest side.
 ///
@@ -725,6 +771,8 @@ struct Scaling {
     std::optional<Estimate> estimate;
     /// Which scales and why, in one sentence; or why nothing can be said.
     std::string because;
+    /// The standard deviation, in each coordinate, of noise that points are seen to have; 0 if none is seen.
+    double noise = 0;
 };
 
 /// A polyline: the points that it joins, in order.
@@ -760,7 +808,7 @@ struct Sandboxes {
 Scaling mass(const Figure& figure, const Sandboxes& sandboxes, const Budget& budget);
 
 /// The mean number of other points within balls around random points of the set; used are radii
-/// that hold at least four on average. O(points * centres).
+/// that hold at least four on average. Noise is seen as by `correlation`. O(points * centres).
 ///
 /// Throws Error if all points are the same or there are no centres, Interrupted.
 Scaling mass(const PointSet& points, const Sandboxes& sandboxes, const Budget& budget);
@@ -776,6 +824,11 @@ struct CorrelationSample {
 /// dimension. Of more points than the sample takes, an even sample stands for all. Radii are an
 /// eighth of the longest side and its halves; used are those within which a point has at least four
 /// others on average.
+///
+/// Points that are each moved by chance fill the plane below the size of these moves, and lie as before above it. Where the slopes
+/// show such a bend, the dimension and the standard deviation of normal noise are those with which the correlation sum, known in closed
+/// form (`noisy_correlation` in detail/measures.hpp), comes nearest to the sum found (Schreiber, Determination of the noise level
+/// of chaotic time series, Phys. Rev. E 48, 1993).
 ///
 /// Throws Error if there are fewer than two points or all are the same, BoundReached, Interrupted.
 Scaling correlation(const PointSet& points, const CorrelationSample& sample, const Budget& budget);

@@ -92,6 +92,7 @@ bool is_fine_enough(const BoxCounts& counts, std::size_t scale) {
 }
 
 bool is_coarse_enough(const BoxCounts& counts, std::size_t scale) {
+    if (counts.scales.cell(scale) < ScaleRange::noises * counts.noise) return false;
     if (counts.detail > 0)
         return counts.scales.cell(scale) >= ScaleRange::details * counts.detail * (1 - hair);
     return counts.mean(scale) * ScaleRange::points_in_cell <= static_cast<double>(counts.parts);
@@ -110,13 +111,18 @@ void draw_line(BoxFit& fit, const BoxCounts& counts) {
 //< line
 
 std::string finest_allowed(const BoxCounts& counts) {
+    if (counts.noise > 0)
+        return fmt::format("{:.0f} times {:.2g}, the standard deviation of the noise of the points",
+                           ScaleRange::noises, counts.noise);
     if (counts.detail > 0) return plural(counts, ScaleRange::details);
     return "the cells that hold " + plural(counts, ScaleRange::points_in_cell) + " on average";
 }
 
 std::string why_not(const BoxCounts& counts, std::size_t usable) {
     const bool figure = counts.part == "segment";
-    std::string text = figure ? "the generation is too low: " : "too few " + counts.part + "s: ";
+    std::string text = figure             ? "the generation is too low: "
+                       : counts.noise > 0 ? "too much noise: "
+                                          : "too few " + counts.part + "s: ";
     text += (usable == 1 ? "1 scale lies" : std::to_string(usable) + " scales lie");
     text += " between an eighth of the whole and " + finest_allowed(counts) +
             ", expected at least " + std::to_string(ScaleRange::fewest);
@@ -139,7 +145,8 @@ std::string why(const BoxCounts& counts, const BoxFit& fit) {
                                                counts.scales.coarsest / counts.scales.cell(scale));
     };
     return "cells from " + size(fit.first) + " down to " + size(fit.last) +
-           ": coarser ones see the outer shape, finer ones single " + counts.part + "s";
+           ": coarser ones see the outer shape, finer ones " +
+           (counts.noise > 0 ? "the noise of the points" : "single " + counts.part + "s");
 }
 
 }  // namespace

@@ -125,6 +125,23 @@ PointSet read_points(std::string_view text, const std::string& name) {
     return set;
 }
 
+std::optional<PointSet> dots_of(const Figure& figure, const Budget& budget) {
+    constexpr std::size_t between_checks = 1u << 20;
+    PointSet found;
+    bool has_length = false;
+    DrawnSegments canvas([&](Point from, Point to, bool) {
+        has_length = has_length || from != to;
+        if (has_length) return;
+        if (found.points.size() % between_checks == 0)
+            budget.check_memory((found.points.size() + between_checks) * sizeof(found.points[0]),
+                                "the dots of a figure");
+        found.points.push_back({to.x, to.y, 0});
+    });
+    figure.draw(canvas, 0, budget);
+    if (has_length || found.points.empty()) return std::nullopt;
+    return found;
+}
+
 namespace {
 
 struct Range {

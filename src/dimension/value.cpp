@@ -411,7 +411,89 @@ Order compare(const LogRatio& left, const DimensionValue& right) {
     return by_enclosures([&](long bits) { return left.enclosure(bits) - right.enclosure(bits); });
 }
 
+CarpetDimension::CarpetDimension(Kind kind, long m, long n, std::vector<long> lines)
+    : kind_(kind), m_(m), n_(n), lines_(std::move(lines)) {
+    const bool fit = std::all_of(lines_.begin(), lines_.end(),
+                                 [&](long cells) { return cells >= 1 && cells <= n_; });
+    if (m < 2 || n <= m || lines_.empty() || lines_.size() > static_cast<std::size_t>(m) || !fit)
+        throw Error("expected a carpet of 2 <= m < n, and 1 to m lines of 1 to n cells");
+    std::sort(lines_.begin(), lines_.end(), std::greater<>());
+}
+
+// With as many cells in all lines, all dimensions are that of boxes.
+bool CarpetDimension::is_sum() const {
+    return kind_ == Kind::hausdorff && lines_.front() != lines_.back();
+}
+
+Rational CarpetDimension::in_line() const {
+    if (kind_ == Kind::assouad) return Rational(lines_.front());
+    if (kind_ == Kind::lower) return Rational(lines_.back());
+    long all = 0;
+    for (const long cells : lines_) all += cells;
+    return Rational(all) / Rational(static_cast<long>(lines_.size()));
+}
+
+std::optional<Rational> CarpetDimension::rational() const {
+    if (is_sum()) return std::nullopt;
+    const auto exponent = [](const Integer& of, long base) {
+        return exponent_between(AlgebraicInteger(of), AlgebraicInteger(Integer(base)));
+    };
+    const auto across = exponent(Integer(static_cast<long>(lines_.size())), m_);
+    const auto above = exponent(in_line().numerator(), n_);
+    const auto below = exponent(in_line().denominator(), n_);
+    if (!across || !above || !below) return std::nullopt;
+    return *across + *above - *below;
+}
+
+Ball CarpetDimension::enclosure(long bits) const {
+    const long more = bits + 32;
+    const auto logarithm = [&](const Rational& of) { return log(Ball(of, more)); };
+    const Ball m = logarithm(Rational(m_)), n = logarithm(Rational(n_));
+    if (!is_sum())
+        return logarithm(Rational(static_cast<long>(lines_.size()))) / m + logarithm(in_line()) / n;
+    Ball sum(0, more);
+    for (const long cells : lines_) sum += exp(logarithm(Rational(cells)) * m / n);
+    return log(sum) / m;
+}
+
+std::string CarpetDimension::text() const {
+    const std::string m = "log " + std::to_string(m_), n = "log " + std::to_string(n_);
+    if (is_sum()) {
+        std::string sum;
+        for (std::size_t k = 0; k < lines_.size();) {
+            std::size_t times = 0;
+            const long cells = lines_[k];
+            for (; k < lines_.size() && lines_[k] == cells; ++k) ++times;
+            if (!sum.empty()) sum += " + ";
+            if (cells == 1)
+                sum += std::to_string(times);
+            else
+                sum += (times > 1 ? std::to_string(times) + "*" : "") + std::to_string(cells) +
+                       "^(" + m + " / " + n + ")";
+        }
+        return "log (" + sum + ") / " + m;
+    }
+    std::string text;
+    if (lines_.size() == static_cast<std::size_t>(m_))
+        text = "1";
+    else if (lines_.size() > 1)
+        text = "log " + std::to_string(lines_.size()) + " / " + m;
+    const Rational inner = in_line();
+    if (inner != Rational(1) || text.empty())
+        text += (text.empty() ? "log " : " + log ") + bracketed(to_string(inner)) + " / " + n;
+    const auto value = rational();
+    const std::string known = value ? to_string(*value) : "";
+    return value && known != text ? text + " = " + known : text;
+}
+
+std::string CarpetDimension::decimal(int digits) const {
+    if (const auto value = rational()) return algae::decimal(*value, digits);
+    return algae::decimal([&](long bits) { return enclosure(bits); }, digits);
+}
+
 std::optional<Rational> DimensionFormula::rational() const {
+    if (const auto* const carpet = std::get_if<CarpetDimension>(&formula_))
+        return carpet->rational();
     return log_ratio() ? log_ratio()->rational() : std::nullopt;
 }
 

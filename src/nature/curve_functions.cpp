@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "model/model.hpp"
 
@@ -17,6 +19,9 @@
 // holds, which `separation` proves by neighbour maps. Each strongly connected component of states that is reached
 // has its own s; the largest counts. Where all ratios are one over the square root of the same
 // natural number, the value is written as log rate / log ratio.
+//
+// Maps that take a rectangle to cells of a grid are no similarities; the dimensions of their attractor, a carpet, are
+// known in another way (`CarpetDimension`).
 //
 // The curves of a D0L system approach a recurrent set (Dekking 1982), which is the attractor of a
 // graph-directed system: a state for each piece, and a map of the ratio 1/|mu| for each part of it,
@@ -109,6 +114,84 @@ ExactDimension similarity_dimension(const IteratedFunctions& system, const Budge
     } else {
         found.conditions.push_back("an upper bound unless the open set condition holds");
     }
+    return found;
+}
+
+namespace {
+
+/// At which of so many equal places of some interval numbers stand, counted from the first that is used.
+std::optional<std::vector<long>> places_in_grid(const std::vector<Rational>& numbers, long cells) {
+    const Rational least = *std::min_element(numbers.begin(), numbers.end());
+    Rational step = 0;  // what all of them are multiples of, by Euclid's algorithm
+    for (const Rational& number : numbers)
+        for (Rational rest = number - least; !rest.is_zero();) {
+            if (step.is_zero())
+                std::swap(step, rest);
+            else {
+                const Rational left = step - Rational(floor(step / rest)) * rest;
+                step = rest;
+                rest = left;
+            }
+        }
+    std::vector<long> places;
+    for (const Rational& number : numbers) {
+        const Rational place = step.is_zero() ? Rational(0) : (number - least) / step;
+        if (!(place < Rational(cells))) return std::nullopt;
+        places.push_back(place.numerator().to_int64());
+    }
+    return places;
+}
+
+/// k of a number that is 1/k for some k from 2 on, not too large.
+std::optional<long> reciprocal(const Quantity& of) {
+    constexpr long largest = 1'000'000;
+    if (!of.exact || !(Rational(0) < *of.exact)) return std::nullopt;
+    const Rational found = Rational(1) / *of.exact;
+    if (!found.is_integer() || found < Rational(2) || Rational(largest) < found)
+        return std::nullopt;
+    return found.numerator().to_int64();
+}
+
+}  // namespace
+
+std::optional<ExactDimension> carpet_dimension(const IteratedFunctions& system) {
+    if (system.states.size() != 1 || system.maps.empty() || system.maps[0].similarity)
+        return std::nullopt;
+    const auto& first = system.maps[0].numbers;  // a b c d e f
+    const auto across = reciprocal(first[0]), upward = reciprocal(first[3]);
+    if (!across || !upward || *across == *upward) return std::nullopt;
+    std::vector<Rational> x, y;
+    for (const auto& map : system.maps) {
+        if (map.similarity) return std::nullopt;
+        for (const std::size_t k : {std::size_t{1}, std::size_t{2}})
+            if (!map.numbers[k].exact || !map.numbers[k].exact->is_zero()) return std::nullopt;
+        if (map.numbers[0].exact != first[0].exact || map.numbers[3].exact != first[3].exact ||
+            !map.numbers[4].exact || !map.numbers[5].exact)
+            return std::nullopt;
+        x.push_back(*map.numbers[4].exact);
+        y.push_back(*map.numbers[5].exact);
+    }
+    auto line = places_in_grid(x, *across), cell = places_in_grid(y, *upward);
+    if (!line || !cell) return std::nullopt;
+    if (*across > *upward) std::swap(line, cell);
+    const long m = std::min(*across, *upward), n = std::max(*across, *upward);
+    std::map<long, std::set<long>> kept;
+    for (std::size_t k = 0; k < line->size(); ++k) kept[(*line)[k]].insert((*cell)[k]);
+    std::vector<long> lines;
+    for (const auto& [place, cells] : kept) lines.push_back(static_cast<long>(cells.size()));
+    using Kind = CarpetDimension::Kind;
+    const auto formula = [&](Kind kind) { return CarpetDimension(kind, m, n, lines); };
+    ExactDimension found;
+    found.status = Status::exact;
+    found.value = formula(Kind::hausdorff);
+    const auto [least, most] = std::minmax_element(lines.begin(), lines.end());
+    found.is_regular = *least == *most;
+    if (!found.is_regular)
+        found.others = {formula(Kind::box), formula(Kind::assouad), formula(Kind::lower),
+                        "infinite"};
+    found.conditions.push_back(
+        "a self-affine carpet: the maps take a rectangle to cells of a grid of " +
+        std::to_string(*across) + " by " + std::to_string(*upward));
     return found;
 }
 

@@ -170,7 +170,53 @@ GeneratorFigure IteratedFunctions::measured_figure(const Budget& budget) const {
 }
 
 std::optional<ExactDimension> IteratedFunctions::exact_dimension(const Budget& budget) const {
+    if (auto carpet = carpet_dimension(*this)) return carpet;
     return similarity_dimension(*this, budget);
+}
+
+std::optional<std::vector<double>> IteratedFunctions::exact_spectrum(std::span<const double> orders,
+                                                                     const Budget& budget) const {
+    if (states.size() != 1 || maps.empty() || !maps.front().probability) return std::nullopt;
+    std::vector<double> ratios;
+    for (const Map& map : maps) {
+        const auto ratio = exact_ratio(map);
+        if (!ratio || sign(enclosure(*ratio, 64)) != 1) return std::nullopt;
+        ratios.push_back(enclosure(*ratio, 64).midpoint());
+    }
+    if (separation(*this, {0}, budget) != Separation::apart) return std::nullopt;
+    const std::vector<double> chance = chances();
+    std::vector<double> found;
+    for (const double q : orders) {
+        if (q == 1) {
+            double entropy = 0, shrinking = 0;
+            for (std::size_t m = 0; m < maps.size(); ++m) {
+                entropy -= chance[m] * std::log(chance[m]);
+                shrinking -= chance[m] * std::log(ratios[m]);
+            }
+            found.push_back(entropy / shrinking);
+            continue;
+        }
+        // The sum falls as the exponent of the ratios rises; by logarithms, as powers of chances may be huge.
+        const auto logarithm = [&](double exponent) {
+            double largest = -HUGE_VAL, sum = 0;
+            std::vector<double> terms;
+            for (std::size_t m = 0; m < maps.size(); ++m) {
+                terms.push_back(q * std::log(chance[m]) + exponent * std::log(ratios[m]));
+                largest = std::max(largest, terms.back());
+            }
+            for (const double term : terms) sum += std::exp(term - largest);
+            return largest + std::log(sum);
+        };
+        double low = -1, high = 1;
+        while (logarithm(low) < 0) low *= 2;
+        while (logarithm(high) > 0) high *= 2;
+        for (int round = 0; round < 100; ++round) {
+            const double middle = (low + high) / 2;
+            (logarithm(middle) > 0 ? low : high) = middle;
+        }
+        found.push_back(low / (1 - q));
+    }
+    return found;
 }
 
 std::vector<GeneratorFact> IteratedFunctions::facts(const Budget& budget) const {

@@ -136,6 +136,15 @@ public:
     /// The attractor, unless points or generations are asked for.
     GeneratorFigure measured_figure(const Budget& budget) const override;
     std::optional<ExactDimension> exact_dimension(const Budget& budget) const override;
+
+    /// The generalised dimensions D_q of the measure that the chances of its maps make, of each order: the solution of
+    /// sum p^q r^((1 - q) D_q) = 1 over the maps' chances p and ratios r; for q = 1, sum p log p / sum p log r (Hentschel and Procaccia
+    /// 1983; Falconer, Fractal Geometry, 17.3). To about 12 digits. Nothing unless the file gives chances, there is one state, all maps are
+    /// similarities, and their parts lie apart (`separation`).
+    ///
+    /// Throws Interrupted.
+    std::optional<std::vector<double>> exact_spectrum(std::span<const double> orders,
+                                                      const Budget& budget) const;
     /// The maps with norms, fixed points and probabilities, the contraction, the box of the
     /// attractor, the similarity dimension.
     std::vector<GeneratorFact> facts(const Budget& budget) const override;
@@ -590,5 +599,22 @@ RauzyFractal rauzy_fractal(const D0L& system, const Budget& budget = {});
 ///
 /// Example: rauzy_functions(d0l("a", {{'a', "ab"}, {'b', "ac"}, {'c', "a"}})).states.size() == 4
 IteratedFunctions rauzy_functions(const D0L& system, const Budget& budget = {});
+
+/// What is drawn of a fractal in the plane: its parts, or these among their neighbours of one of the two tilings.
+enum class RauzyPicture { fractal, periodic, self_replicating };
+
+/// The parts of three letters as polygons, each in the colour of its letter: a part is divided until there are some ten thousand
+/// pieces, and each piece is replaced by the parallelogram of the stepped plane that stands for it, of the same area (Arnoux and Ito,
+/// Pisot substitutions and Rauzy fractals, 2001). These parallelograms tile, so the polygons neither overlap nor leave gaps. Of the
+/// tilings, what lies within so many widths of the fractal; in the periodic one moved copies are paler.
+///
+/// Throws what `rauzy_fractal` throws, and Error unless there are three letters: the fractal of n lies in n - 1 dimensions.
+std::unique_ptr<Figure> rauzy_figure(const D0L& system, RauzyPicture picture,
+                                     const Budget& budget = {});
+
+/// The polygons of the parts of the same figure, by letter and not moved.
+///
+/// Example: rauzy_polygons(d0l("a", {{'a', "ab"}, {'b', "ac"}, {'c', "a"}})).size() == 3
+std::vector<std::vector<Point>> rauzy_polygons(const D0L& system, const Budget& budget = {});
 
 }  // namespace algae

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "nature/nature.hpp"
+#include "nature/detail/figures.hpp"
 
 // Let M be the matrix of a unit Pisot substitution, row a counting the letters of the image of a, and let M r = x r
 // with r over Q(x). For the root beta > 1 the number t(v) = v r(beta) of a vector v of letters grows by beta when v becomes v M;
@@ -512,6 +512,241 @@ IteratedFunctions rauzy_functions(const D0L& system, const Budget& budget) {
             add(a + 1, place.whole + 1, alpha, projection.place(place.before, 0) / unit);
     found.check();
     return found;
+}
+
+namespace {
+
+/// A face of the stepped plane: the parallelogram from a vector along the two other letters than its own.
+struct Face {
+    LetterCounts at;
+    std::size_t letter;
+};
+
+/// Parts in the plane as polygons.
+class Patches {
+public:
+    Patches(const Substitution& of, const Budget& budget) : of_(of), projection_(of) {
+        if (of.size() != 3)
+            throw Error("expected three letters, whose fractal lies in the plane, found " +
+                        std::to_string(of.size()));
+        // All parts are divided equally often: only then their faces fit together.
+        std::vector<std::vector<Face>> faces;
+        for (std::size_t a = 0; a < of.size(); ++a) faces.push_back({{LetterCounts(3, 0), a}});
+        std::size_t level = 0;
+        for (std::size_t all = 0; all < enough && level < most_levels; ++level) {
+            budget.check();
+            all = 0;
+            for (auto& of_letter : faces) {
+                of_letter = divided(of_letter);
+                all += of_letter.size();
+            }
+        }
+        for (const auto& of_letter : faces) polygons_.push_back(outline(of_letter, level));
+    }
+
+    const std::vector<std::vector<Point>>& polygons() const { return polygons_; }
+    const Embedding& projection() const { return projection_; }
+
+    /// Where a vector lies, so that the first letter has the length 1.
+    Point moved_by(const LetterCounts& vector) const {
+        const Complex at = place(vector);
+        return {at.real(), at.imag()};
+    }
+
+    /// How far a point of the parts is from 0, at most.
+    double reach() const {
+        double farthest = 0;
+        for (const auto& polygon : polygons_)
+            for (const Point& corner : polygon)
+                farthest = std::max(farthest, std::hypot(corner.x, corner.y));
+        return farthest;
+    }
+
+    /// By how much the coordinates of the embedding are larger, at most.
+    double unit() const {
+        double largest = 0;
+        for (std::size_t plane = 0; plane < projection_.planes(); ++plane)
+            largest = std::max(largest, std::abs(projection_.place({1, 0, 0}, plane)));
+        return largest;
+    }
+
+private:
+    static constexpr std::size_t enough = 30'000, most_levels = 60;
+
+    std::vector<Face> divided(const std::vector<Face>& faces) const {
+        std::vector<Face> found;
+        for (const Face& face : faces)
+            for (const Occurrence& each : of_.places(face.letter)) {
+                LetterCounts sum = face.at;
+                for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += each.before[k];
+                found.push_back({of_.before(sum), each.whole});
+            }
+        return found;
+    }
+
+    /// In the plane where the first letter lies at 1, or at (1, 1) where each axis has a factor of its own.
+    Complex place(const LetterCounts& vector) const {
+        const auto on = [&](std::size_t plane) {
+            return projection_.place(vector, plane) / projection_.place({1, 0, 0}, plane);
+        };
+        return projection_.planes() == 1 ? on(0) : Complex(on(0).real(), on(1).real());
+    }
+
+    /// After so many steps.
+    Complex shrunk(Complex at, std::size_t level) const {
+        const auto power = static_cast<double>(level);
+        if (projection_.planes() == 1) return at * std::pow(projection_.factor(0), power);
+        return {at.real() * std::pow(projection_.factor(0).real(), power),
+                at.imag() * std::pow(projection_.factor(1).real(), power)};
+    }
+
+    /// The edges of the faces that only one of them has, as one polygon: from loop to loop and back, which adds no area.
+    std::vector<Point> outline(const std::vector<Face>& faces, std::size_t level) const {
+        std::map<LetterCounts, std::vector<LetterCounts>> edges;
+        const auto add = [&](const LetterCounts& from, const LetterCounts& to) {
+            auto& back = edges[to];
+            const auto at = std::find(back.begin(), back.end(), from);
+            if (at == back.end())
+                edges[from].push_back(to);
+            else
+                back.erase(at);
+        };
+        for (const Face& face : faces) {
+            std::size_t j = (face.letter + 1) % 3, k = (face.letter + 2) % 3;
+            const Complex along = place(one(j)), across = place(one(k));
+            if (along.real() * across.imag() - along.imag() * across.real() < 0) std::swap(j, k);
+            LetterCounts corner = face.at, next = corner;
+            const auto go = [&](std::size_t letter, int by) {
+                next[letter] += by;
+                add(corner, next);
+                corner = next;
+            };
+            go(j, 1), go(k, 1), go(j, -1), go(k, -1);
+        }
+        std::vector<Point> polygon;
+        const auto put = [&](const LetterCounts& corner) {
+            const Complex at = shrunk(place(corner), level);
+            polygon.push_back({at.real(), at.imag()});
+        };
+        for (auto from = edges.begin(); from != edges.end();) {
+            if (from->second.empty()) {
+                ++from;
+                continue;
+            }
+            const LetterCounts begin = from->first;
+            put(begin);
+            LetterCounts last = begin, here = from->second.back();
+            from->second.pop_back();
+            while (here != begin) {
+                put(here);
+                auto& out = edges[here];
+                const auto chosen = std::min_element(out.begin(), out.end(), [&](auto& x, auto& y) {
+                    return turn(last, here, x) < turn(last, here, y);
+                });
+                last = std::exchange(here, *chosen);
+                out.erase(chosen);
+            }
+            put(begin);
+            if (begin != edges.begin()->first) polygon.push_back(polygon.front());
+        }
+        return polygon;
+    }
+
+    /// How far to turn clockwise from where one came from to where one goes: as the inside lies on the left, the least such turn
+    /// stays with the same loop where several touch.
+    double turn(const LetterCounts& from, const LetterCounts& at, const LetterCounts& to) const {
+        const Complex here = place(at);
+        const double angle = std::arg((place(from) - here) / (place(to) - here));
+        return angle > 0 ? angle : angle + 2 * std::numbers::pi;
+    }
+
+    LetterCounts one(std::size_t letter) const {
+        LetterCounts vector(3, 0);
+        vector[letter] = 1;
+        return vector;
+    }
+
+    const Substitution& of_;
+    Embedding projection_;
+    std::vector<std::vector<Point>> polygons_;  // by letter
+};
+
+/// Vectors with 0 <= t(v) < t(a) whose place is at most so far away, for each letter a.
+std::vector<std::pair<LetterCounts, std::size_t>> stepped_plane(const Patches& patches,
+                                                                double reach) {
+    const Embedding& projection = patches.projection();
+    double highest = 0;
+    for (std::size_t a = 0; a < 3; ++a) highest = std::max(highest, projection.height(a));
+    const auto most = largest_numbers(projection.coordinates(),
+                                      {highest, reach * patches.unit(), reach * patches.unit()});
+    std::vector<std::pair<LetterCounts, std::size_t>> found;
+    for (std::int64_t i = -most[0]; i <= most[0]; ++i)
+        for (std::int64_t j = -most[1]; j <= most[1]; ++j)
+            for (std::int64_t k = -most[2]; k <= most[2]; ++k) {
+                const LetterCounts vector{i, j, k};
+                const double height = projection.height(vector);
+                if (height < -1 || height > highest + 1) continue;
+                const Point at = patches.moved_by(vector);
+                if (std::hypot(at.x, at.y) > reach || projection.sign_of_height(vector) < 0)
+                    continue;
+                for (std::size_t a = 0; a < 3; ++a) {
+                    LetterCounts above = vector;
+                    --above[a];
+                    if (projection.sign_of_height(above) < 0) found.emplace_back(vector, a);
+                }
+            }
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> rauzy_polygons(const D0L& system, const Budget& budget) {
+    const Substitution of(system);
+    return Patches(of, budget).polygons();
+}
+
+std::unique_ptr<Figure> rauzy_figure(const D0L& system, RauzyPicture picture,
+                                     const Budget& budget) {
+    const Substitution of(system);
+    const Patches patches(of, budget);
+    const double reach = 3 * patches.reach();
+    std::vector<Path> paths;
+    const Colour colours[] = {{0.71, 0.28, 0.16}, {0.88, 0.64, 0.23}, {0.18, 0.44, 0.56}};
+    const auto add = [&](std::size_t letter, Point by, double paler) {
+        Path path;
+        path.filled = true;
+        path.colour = static_cast<std::uint32_t>(letter);
+        path.paint = mixed(colours[letter], {1, 1, 1}, paler);
+        for (const Point& corner : patches.polygons()[letter])
+            path.points.push_back({corner.x + by.x, corner.y + by.y});
+        paths.push_back(std::move(path));
+    };
+    if (picture == RauzyPicture::fractal) {
+        for (std::size_t a = 0; a < 3; ++a) add(a, {}, 0);
+    } else if (picture == RauzyPicture::self_replicating) {
+        for (const auto& [vector, letter] : stepped_plane(patches, reach))
+            add(letter, patches.moved_by(vector),
+                0.15 * static_cast<double>(((vector[0] - vector[1]) % 3 + 3) % 3));
+    } else {
+        const Point x = patches.moved_by({1, 0, -1}), y = patches.moved_by({0, 1, -1});
+        // A move by i x + k y at most so far away has |i| and |k| at most this.
+        const double area = std::fabs(x.x * y.y - x.y * y.x);
+        const auto most = static_cast<long>(
+            reach * std::max(std::hypot(x.x, x.y), std::hypot(y.x, y.y)) / area + 1);
+        for (long i = -most; i <= most; ++i)
+            for (long k = -most; k <= most; ++k) {
+                budget.check();
+                const double over = static_cast<double>(i), up = static_cast<double>(k);
+                const Point by{over * x.x + up * y.x, over * x.y + up * y.y};
+                if (std::hypot(by.x, by.y) > reach) continue;
+                const long kind = ((i - k) % 3 + 3) % 3;  // neighbours differ
+                const double paler = i == 0 && k == 0 ? 0 : 0.3 + 0.2 * static_cast<double>(kind);
+                for (std::size_t a = 0; a < 3; ++a) add(a, by, paler);
+            }
+    }
+    FigureStyle style;
+    style.colours = {"#b5482a", "#e0a33a", "#2f6f8f"};
+    return std::make_unique<PathFigure>(std::move(paths), style);
 }
 
 }  // namespace algae

@@ -77,7 +77,8 @@ Json estimate_json(const std::optional<Estimate>& estimate) {
 std::optional<double> compared_with(const DimensionReport& found) {
     if (!found.exact || found.exact->status != ExactDimension::Status::exact || !found.fit.estimate)
         return std::nullopt;
-    return found.exact->value->enclosure(64).midpoint();
+    const auto& others = found.exact->others;
+    return (others ? others->box : *found.exact->value).enclosure(64).midpoint();
 }
 
 /// The interval was written with so many digits, and its ends count.
@@ -126,9 +127,19 @@ Json exact_json(const ExactDimension& exact) {
     json.set("conditions", exact.conditions);
     json.set("similarity", formula_json(exact.similarity));
     json.set("boundary", formula_json(exact.boundary));
+    if (exact.others) {
+        const ExactDimension::Others& others = *exact.others;
+        return json.set("box", formula_json(others.box))
+            .set("packing", formula_json(others.box))
+            .set("assouad", formula_json(others.assouad))
+            .set("lower", formula_json(others.lower))
+            .set("hausdorff_measure", others.measure);
+    }
     // The packing dimension lies between those of Hausdorff and of boxes.
-    json.set("packing",
-             exact.status == ExactDimension::Status::exact ? formula_json(exact.value) : Json());
+    for (const char* const dimension : {"box", "packing"})
+        json.set(dimension, exact.status == ExactDimension::Status::exact
+                                ? formula_json(exact.value)
+                                : Json());
     for (const char* const dimension : {"assouad", "lower"})
         json.set(dimension, exact.is_regular ? formula_json(exact.value) : Json());
     json.set("hausdorff_measure", exact.is_regular ? Json("positive and finite") : Json());
@@ -160,6 +171,10 @@ std::string exact_page(const ExactDimension& exact) {
     if (exact.value && exact.similarity && exact.similarity->text() != exact.value->text())
         text += line("with multiplicity, too large: ", *exact.similarity);
     if (exact.boundary) text += line("boundary: ", *exact.boundary);
+    if (exact.others)
+        text += line("boxes and packing: ", exact.others->box) +
+                line("Assouad: ", exact.others->assouad) + line("lower: ", exact.others->lower) +
+                "the Hausdorff measure of the dimension is " + exact.others->measure + "\n";
     if (exact.is_regular)
         text +=
             "the Assouad and the lower dimension are the same, and the Hausdorff measure is "
@@ -175,6 +190,7 @@ Json box_json(const DimensionReport& found) {
     const auto compared = compared_with(found);
     box.set("error", compared ? Json(fit.estimate->value - *compared) : Json());
     box.set("holds_exact", compared ? Json(holds(*fit.estimate, *compared)) : Json());
+    box.set("noise", counts.noise > 0 ? Json(counts.noise) : Json());
     box.set("offsets", counts.counts.empty() ? 0 : counts.counts.front().size());
     Json scales = Json::array();
     for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
@@ -321,14 +337,30 @@ Json scales_json(const Scaling& scaling) {
     return scales;
 }
 
-std::string spectrum_page(const std::vector<GeneralisedDimension>& spectrum) {
-    std::string text = fmt::format("  {:>4}  {:>8}  {:>8}  {:>8}\n", "q", "D_q", "low", "high");
-    for (const auto& [order, scaling] : spectrum)
-        text += scaling.estimate ? fmt::format("  {:>4}  {:>8.4f}  {:>8.4f}  {:>8.4f}\n", order,
+std::string spectrum_page(const ScalingReport& found) {
+    std::string text = fmt::format("  {:>4}  {:>8}  {:>8}  {:>8}{}\n", "q", "D_q", "low", "high",
+                                   found.exact ? "     exact" : "");
+    for (std::size_t k = 0; k < found.spectrum.size(); ++k) {
+        const auto& [order, scaling] = found.spectrum[k];
+        text += scaling.estimate ? fmt::format("  {:>4}  {:>8.4f}  {:>8.4f}  {:>8.4f}", order,
                                                scaling.estimate->value, scaling.estimate->low,
                                                scaling.estimate->high)
-                                 : fmt::format("  {:>4}  undecided\n", order);
+                                 : fmt::format("  {:>4}  undecided{:>19}", order, "");
+        text += (found.exact ? fmt::format("  {:>8.6f}", (*found.exact)[k]) : "") + "\n";
+    }
+    if (found.exact)
+        text +=
+            "\n  exact: the solution of sum p^q r^((1 - q) D_q) = 1 over the chances p and the "
+            "ratios r of the maps\n";
     return text + "\n  for q below 0 of boxes three times as wide, which nothing barely touches\n";
+}
+
+std::string information_text(const ScalingReport& found) {
+    if (!found.exact) return "";
+    return fmt::format(
+        "exact: {:.6f}, sum p log p / sum p log r over the chances p and the ratios r of the "
+        "maps\n\n",
+        found.exact->front());
 }
 
 std::string scales_page(const MeasureNames& measure, const Scaling& scaling) {
@@ -349,7 +381,8 @@ std::string to_text(const ScalingReport& found) {
     const Scaling& scaling = found.scaling;
     const std::string title = measure.title + std::string(found.spectrum.empty() ? "" : ", q = 0");
     return found.what + "\n\n" + fit_text(title, scaling) +
-           (found.spectrum.empty() ? scales_page(measure, scaling) : spectrum_page(found.spectrum));
+           (found.spectrum.empty() ? information_text(found) + scales_page(measure, scaling)
+                                   : spectrum_page(found));
 }
 
 Json to_json(const ScalingReport& found) {
@@ -357,12 +390,17 @@ Json to_json(const ScalingReport& found) {
               {"measure", names_of(found.measure).name},
               {"scales", scales_json(found.scaling)},
               {"estimate", estimate_json(found.scaling.estimate)},
-              {"because", found.scaling.because}};
+              {"because", found.scaling.because},
+              {"noise", found.scaling.noise > 0 ? Json(found.scaling.noise) : Json()}};
+    if (found.measure == Measure::information)
+        json.set("exact", found.exact ? Json(found.exact->front()) : Json());
     if (found.spectrum.empty()) return json;
     Json spectrum = Json::array();
-    for (const auto& [order, scaling] : found.spectrum) {
+    for (std::size_t k = 0; k < found.spectrum.size(); ++k) {
+        const auto& [order, scaling] = found.spectrum[k];
         Json entry{{"q", order}};
         entry.update(estimate_json(scaling.estimate));
+        entry.set("exact", found.exact ? Json((*found.exact)[k]) : Json());
         spectrum.add(entry.set("because", scaling.because));
     }
     return json.set("spectrum", std::move(spectrum));

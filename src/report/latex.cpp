@@ -368,6 +368,11 @@ std::string to_latex(const DimensionReport& report) {
         else
             text += "The rules give no formula for the dimension" + conditions() + ".\n";
         if (exact.boundary) text += line("The boundary has dimension", *exact.boundary) + ".\n";
+        if (exact.others)
+            text += line("The box and the packing dimension are", exact.others->box) +
+                    line(", Assouad's", exact.others->assouad) +
+                    line(", the lower one", exact.others->lower) + "; the Hausdorff measure is " +
+                    exact.others->measure + ".\n";
     }
     if (const auto& estimate = report.fit.estimate)
         text += "Counting boxes gives $" + five_digits(estimate->value) + "$, expected between $" +

@@ -291,6 +291,8 @@ struct ScalingReport {
     Measure measure;
     Scaling scaling;
     std::vector<GeneralisedDimension> spectrum;  // of the measure multifractal only
+    /// The same where it is known exactly: of each order of the spectrum, of information of the order 1.
+    std::optional<std::vector<double>> exact;
 };
 
 std::string to_text(const ScalingReport& report);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "command/run.hpp"
 
@@ -245,6 +246,55 @@ TEST_CASE("dimension --measure takes points and images, and refuses what it cann
     CHECK(run("dimension koch -n 2 --measure mass").status == 3);
 }
 
+TEST_CASE("dimension measures figures of dots, and the spectrum of chances beside the exact one") {
+    // Both ended with "expected strokes with a length to measure".
+    const json dots = json::parse(run("dimension sierpinski --measure correlation --json").out);
+    CHECK(std::abs(dots["estimate"]["value"].get<double>() - std::log(3) / std::log(2)) < 0.06);
+    const Scratch scratch;
+    const std::string maps = scratch.file("uneven.ifs",
+                                          "map 1/2 0 0 1/2 0 0 0.7\nmap 1/2 0 0 1/2 1/2 0 0.2\n"
+                                          "map 1/2 0 0 1/2 1/4 1/2 0.1\npoints 100000\n");
+    const json found =
+        json::parse(run("dimension '" + maps + "' --measure multifractal --json").out);
+    std::size_t compared = 0;
+    for (const json& row : found["spectrum"]) {
+        const double q = row["q"], exact = row["exact"];
+        const double known =
+            q == 1 ? -(0.7 * std::log2(0.7) + 0.2 * std::log2(0.2) + 0.1 * std::log2(0.1))
+                   : std::log2(std::pow(0.7, q) + std::pow(0.2, q) + std::pow(0.1, q)) / (1 - q);
+        CHECK(exact == doctest::Approx(known).epsilon(1e-9));
+        if (q < 0) continue;
+        CHECK(std::abs(row["value"].get<double>() - exact) < 0.12);
+        ++compared;
+    }
+    CHECK(compared == 6);
+    const Run information = run("dimension '" + maps + "' --measure information");
+    CHECK(information.out.find("exact: 1.156780, sum p log p / sum p log r") != std::string::npos);
+}
+
+TEST_CASE("dimension says the noise of points") {
+    const Scratch scratch;
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> move(0, 0.005);
+    std::string text;
+    double x = 0, y = 0;
+    for (int k = 0; k < 40'000; ++k) {
+        const auto corner = random() % 3;
+        x = (x + (corner == 1 ? 1 : corner == 2 ? 0.5 : 0)) / 2;
+        y = (y + (corner == 2 ? 0.866 : 0)) / 2;
+        text += std::to_string(x + move(random)) + " " + std::to_string(y + move(random)) + "\n";
+    }
+    const std::string points = scratch.file("gasket.xy", text);
+    const json boxes = json::parse(run("dimension '" + points + "' --json").out)["box"];
+    CHECK(boxes["noise"] == doctest::Approx(0.005).epsilon(0.15));
+    CHECK(boxes["value"].is_null());
+    CHECK(boxes["because"].get<std::string>().find("too much noise: ") == 0);
+    const json pairs =
+        json::parse(run("dimension '" + points + "' --measure correlation --json").out);
+    CHECK(std::abs(pairs["estimate"]["value"].get<double>() - std::log(3) / std::log(2)) < 0.05);
+    CHECK(pairs["noise"] == doctest::Approx(0.005).epsilon(0.15));
+}
+
 TEST_CASE("dimension --rauzy says what is decided of the fractal of a substitution") {
     const Run page = run("dimension tribonacci --rauzy");
     CHECK(page.status == 0);
@@ -261,8 +311,20 @@ TEST_CASE("dimension --rauzy says what is decided of the fractal of a substituti
     CHECK(run("dimension koch --rauzy").err.find("found the determinant") != std::string::npos);
     CHECK(run("dimension fern --rauzy").err ==
           "algae: --rauzy is for systems, and fern is not one\n");
-    CHECK(run("dimension tribonacci --rauzy --plot r.png").err ==
-          "algae: --rauzy goes without --plot\n");
+    CHECK(run("dimension tribonacci --rauzy --tiling periodic").err ==
+          "algae: --tiling says what --plot FILE draws, and no --plot is given\n");
+    CHECK(run("dimension tribonacci --tiling periodic").err == "algae: --tiling is for --rauzy\n");
+    CHECK(run("dimension tetranacci --rauzy --plot r.png").err ==
+          "algae: expected three letters, whose fractal lies in the plane, found 4\n");
+    const Scratch folder;
+    for (const std::string tiling : {"", "periodic", "self-replicating"}) {
+        const std::string file = folder.file("rauzy" + tiling + ".svg");
+        const Run drawn = run("dimension tribonacci --rauzy --plot '" + file + "'" +
+                              (tiling.empty() ? "" : " --tiling " + tiling));
+        CHECK(drawn.status == 0);
+        CHECK(drawn.err.empty());
+        CHECK(text_of(file).find("<path") != std::string::npos);
+    }
     CHECK(run("dimension tribonacci --rauzy --within 0.1").err ==
           "algae: --rauzy goes without --within\n");
 }

@@ -403,3 +403,167 @@ TEST_CASE("what is printed reads back as the same") {
                   file);
     }));
 }
+
+namespace {
+
+/// A grid of m lines of n cells, some of them kept, on a rectangle anywhere; lines stand upright if `turned`.
+struct Carpet {
+    long m, n;
+    std::vector<std::vector<long>> lines;  // the cells that are kept
+    bool turned;
+    std::string text() const {
+        const Rational left(7, 3), width(5, 4), low(-2), height(3, 7);
+        std::string found;
+        for (std::size_t line = 0; line < lines.size(); ++line)
+            for (const long cell : lines[line]) {
+                const auto [over, under] = turned ? std::pair(m, n) : std::pair(n, m);
+                const auto [i, k] = turned ? std::pair(static_cast<long>(line), cell)
+                                           : std::pair(cell, static_cast<long>(line));
+                const Rational x =
+                    left * (Rational(1) - Rational(1, over)) + width * Rational(i, over);
+                const Rational y =
+                    low * (Rational(1) - Rational(1, under)) + height * Rational(k, under);
+                found += "map 1/" + std::to_string(over) + " 0 0 1/" + std::to_string(under) + " " +
+                         to_string(x) + " " + to_string(y) + "\n";
+            }
+        return found;
+    }
+};
+
+/// The largest dimension of a measure that gives each line a share q and divides it evenly among its cells: entropy over the
+/// exponents of Lyapunov (Ledrappier and Young 1985). By going up along the gradient; the shares are the only unknowns.
+double largest_dimension(const Carpet& of) {
+    const double m = std::log(static_cast<double>(of.m)), n = std::log(static_cast<double>(of.n));
+    std::vector<double> share, cells;
+    for (const auto& line : of.lines)
+        if (!line.empty()) cells.push_back(static_cast<double>(line.size()));
+    share.assign(cells.size(), 1 / static_cast<double>(cells.size()));
+    const auto value = [&] {
+        double found = 0;
+        for (std::size_t k = 0; k < cells.size(); ++k)
+            found += share[k] * (-std::log(share[k]) / m + std::log(cells[k]) / n);
+        return found;
+    };
+    for (int round = 0; round < 4000; ++round) {
+        double sum = 0;
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            share[k] *= std::exp(0.05 * (-std::log(share[k]) / m + std::log(cells[k]) / n));
+            sum += share[k];
+        }
+        for (double& each : share) each /= sum;
+    }
+    return value();
+}
+
+}  // namespace
+
+TEST_CASE("dimensions of random self-affine carpets are those of the best measures on them") {
+    std::size_t compared = 0, uneven = 0;
+    rc::check("carpets", [&] {
+        Carpet carpet;
+        carpet.m = *rc::gen::inRange<long>(2, 6);
+        carpet.n = *rc::gen::inRange<long>(carpet.m + 1, 9);
+        carpet.turned = *rc::gen::arbitrary<bool>();
+        std::set<std::size_t> sizes;
+        for (long line = 0; line < carpet.m; ++line) {
+            auto& kept = carpet.lines.emplace_back();
+            for (long cell = 0; cell < carpet.n; ++cell)
+                if (*rc::gen::inRange(0, 3) == 0) kept.push_back(cell);
+            if (!kept.empty()) sizes.insert(kept.size());
+        }
+        if (sizes.empty()) return;
+        const auto found = functions(carpet.text()).exact_dimension({});
+        RC_ASSERT(found && found->status == ExactDimension::Status::exact);
+        const double value = found->value->enclosure(64).midpoint();
+        RC_ASSERT(std::fabs(value - largest_dimension(carpet)) < 1e-6);
+        RC_ASSERT(found->is_regular == (sizes.size() == 1));
+        RC_ASSERT(found->others.has_value() == (sizes.size() > 1));
+        ++compared;
+        if (!found->others) return;
+        ++uneven;
+        const auto of = [](const DimensionFormula& formula) {
+            return formula.enclosure(64).midpoint();
+        };
+        // Boxes of the size n^-k: k cells, then lines only; Assouad and lower by the fullest and the emptiest line.
+        double all = 0, lines = 0;
+        for (const auto& line : carpet.lines) {
+            all += static_cast<double>(line.size());
+            lines += !line.empty();
+        }
+        const double m = std::log(static_cast<double>(carpet.m)),
+                     n = std::log(static_cast<double>(carpet.n));
+        const int k = 1000;
+        const double deeper = k * n / m - k;
+        RC_ASSERT(std::fabs(of(found->others->box) -
+                            (k * std::log(all) + deeper * std::log(lines)) / (k * n)) < 1e-9);
+        const auto with = [&](std::size_t cells) {
+            return std::log(lines) / m + std::log(static_cast<double>(cells)) / n;
+        };
+        RC_ASSERT(std::fabs(of(found->others->assouad) - with(*sizes.rbegin())) < 1e-9);
+        RC_ASSERT(std::fabs(of(found->others->lower) - with(*sizes.begin())) < 1e-9);
+        RC_ASSERT(of(found->others->lower) < value && value < of(found->others->box) &&
+                  of(found->others->box) < of(found->others->assouad));
+    });
+    CHECK(compared >= 90);
+    CHECK(uneven >= 50);
+    MESSAGE(compared << " carpets, " << uneven << " with uneven lines");
+}
+
+TEST_CASE("the carpets of the books, and what is no carpet") {
+    // McMullen 1984: log_2(1 + 2^(log_3 2)).
+    const auto text = "map 1/2 0 0 1/3 0 0\nmap 1/2 0 0 1/3 1/2 1/3\nmap 1/2 0 0 1/3 0 2/3\n";
+    const auto found = functions(text).exact_dimension({});
+    REQUIRE(found);
+    CHECK(found->value->text() == "log (2^(log 2 / log 3) + 1) / log 2");
+    CHECK(found->value->decimal(12) == "1.349683820136");
+    REQUIRE(found->others);
+    CHECK(found->others->box.text() == "1 + log (3/2) / log 3");
+    CHECK(found->others->assouad.text() == "1 + log 2 / log 3");
+    CHECK(found->others->lower.text() == "1");
+    const auto dimension = [](const std::string& maps) {
+        const auto exact = functions(maps).exact_dimension({});
+        return exact && exact->value ? exact->value->text() : std::string("none");
+    };
+    // All cells, and as many cells in both lines: all dimensions are the same.
+    CHECK(dimension("map 1/2 0 0 1/4 0 0\nmap 1/2 0 0 1/4 0 1/2\nmap 1/2 0 0 1/4 1/2 0\n"
+                    "map 1/2 0 0 1/4 1/2 1/4\n") == "1 + log 2 / log 4 = 3/2");
+    // A cell twice counts once.
+    CHECK(dimension("map 1/2 0 0 1/3 0 0\nmap 1/2 0 0 1/3 0 0\n") == "log 1 / log 3 = 0");
+    // Not on a grid, turned, and of different sizes.
+    CHECK(dimension("map 1/2 0 0 1/3 0 0\nmap 1/2 0 0 1/3 1/2 1/3\nmap 1/2 0 0 1/3 1/3 2/3\n") ==
+          "none");
+    CHECK(dimension("map 1/2 0 0 1/3 0 0\nmap -1/2 0 0 1/3 1/2 1/3\n") == "none");
+    CHECK(dimension("map 1/2 0 0 1/3 0 0\nmap 1/2 0 0 1/4 1/2 1/3\n") == "none");
+}
+
+TEST_CASE("exact spectra of maps with chances: binomial cascades, and what they tend to") {
+    std::size_t compared = 0;
+    rc::check("binomial", [&] {
+        const long share = *rc::gen::inRange<long>(1, 100);
+        const Rational p(share, 100), rest = Rational(1) - p;
+        const auto system = functions("map 1/2 0 0 1/2 0 0 " + to_string(p) +
+                                      "\nmap 1/2 0 0 1/2 1/2 0 " + to_string(rest) + "\n");
+        const std::vector<double> orders{-5, -1, 0, 0.5, 1, 2, 5};
+        const auto found = system.exact_spectrum(orders, {});
+        RC_ASSERT(found.has_value());
+        const double a = p.to_double(), b = rest.to_double();
+        for (std::size_t k = 0; k < orders.size(); ++k) {
+            const double q = orders[k];
+            const double known = q == 1 ? -(a * std::log2(a) + b * std::log2(b))
+                                        : std::log2(std::pow(a, q) + std::pow(b, q)) / (1 - q);
+            RC_ASSERT(std::fabs((*found)[k] - known) < 1e-9);
+            ++compared;
+        }
+    });
+    CHECK(compared >= 700);
+    // With the natural chances all orders are the dimension, also where ratios differ: 1/2^s + 1/3^s = 1 has s = 0.787885.
+    const auto natural = functions("map 1/2 0 0 1/2 0 0 0.579190\nmap 1/3 0 0 1/3 2/3 0 0.420810\n")
+                             .exact_spectrum(std::vector<double>{-3, 0, 1, 4}, {});
+    REQUIRE(natural);
+    for (const double value : *natural) CHECK(value == doctest::Approx(0.787885).epsilon(1e-4));
+    const std::vector<double> zero{0};
+    CHECK(!functions(gasket).exact_spectrum(zero, {}));  // no chances
+    CHECK(!functions(fern).exact_spectrum(zero, {}));    // no similarities
+    CHECK(!functions("map 1/2 0 0 1/2 0 0 0.5\nmap 1/2 0 0 1/2 0 0 0.5\n")
+               .exact_spectrum(zero, {}));  // parts coincide
+}

@@ -246,3 +246,81 @@ TEST_CASE("the functions of a fractal have its parts as states") {
     CHECK(functions.maps.size() == 8);
     CHECK(functions.contraction() == doctest::Approx(0.737353));
 }
+
+namespace {
+
+/// Whether a point lies within a closed polygon, by how often it goes around.
+bool is_within(const std::vector<Point>& polygon, Complex at) {
+    int around = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double side = (b.x - a.x) * (at.imag() - a.y) - (b.y - a.y) * (at.real() - a.x);
+        if (a.y <= at.imag() && b.y > at.imag() && side > 0) ++around;
+        if (a.y > at.imag() && b.y <= at.imag() && side < 0) --around;
+    }
+    return around != 0;
+}
+
+double distance_to(const std::vector<Point>& polygon, Complex at) {
+    double least = HUGE_VAL;
+    for (const Point& corner : polygon)
+        least = std::min(least, std::hypot(corner.x - at.real(), corner.y - at.imag()));
+    return least;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "polygons of Rauzy fractals hold the points of their parts, and their copies tile the plane") {
+    std::size_t compared = 0, covered = 0;
+    for (const std::vector<std::string>& images : {std::vector<std::string>{"ab", "ac", "a"},
+                                                   {"ab", "ca", "a"},
+                                                   {"ab", "c", "a"},
+                                                   {"aab", "ac", "a"}}) {
+        CAPTURE(images);
+        const D0L system = substitution(images);
+        const auto polygons = rauzy_polygons(system);
+        REQUIRE(polygons.size() == 3);
+        const Points points = points_of(images, 3'000);
+        // The plane of one may be the mirror image of that of the other: letters lie on one side or the other.
+        for (std::size_t letter = 0; letter < 3; ++letter) {
+            std::size_t far_mirrored = 0, far = 0;
+            for (const Complex& at : points.of[letter]) {
+                constexpr double grain = 0.05;
+                far +=
+                    !is_within(polygons[letter], at) && distance_to(polygons[letter], at) > grain;
+                far_mirrored += !is_within(polygons[letter], std::conj(at)) &&
+                                distance_to(polygons[letter], std::conj(at)) > grain;
+            }
+            CHECK(std::min(far, far_mirrored) == 0);
+            compared += points.of[letter].size();
+        }
+        // All moves by i (a - c) + k (b - c) of all parts: a point lies in one of them.
+        bool mirrored = false;
+        for (const Complex& at : points.of[0])
+            mirrored =
+                mirrored || (!is_within(polygons[0], at) && distance_to(polygons[0], at) > 0.05);
+        const auto turned = [&](Complex z) { return mirrored ? std::conj(z) : z; };
+        const Complex x = turned(points.unit[0] - points.unit[2]),
+                      y = turned(points.unit[1] - points.unit[2]);
+        std::size_t once = 0, tries = 0;
+        for (int u = 0; u < 12; ++u)
+            for (int v = 0; v < 12; ++v) {
+                const Complex at = (u + 0.37) / 12.0 * x + (v + 0.61) / 12.0 * y;
+                int times = 0;
+                for (int i = -6; i <= 6; ++i)
+                    for (int k = -6; k <= 6; ++k)
+                        for (const auto& polygon : polygons)
+                            times += is_within(polygon, at + static_cast<double>(i) * x +
+                                                            static_cast<double>(k) * y);
+                ++tries;
+                once += times == 1;
+                CHECK(times >= 0);
+            }
+        CHECK(once == tries);
+        covered += once;
+    }
+    CHECK(compared >= 12'000);
+    CHECK(covered == 4 * 144);
+    MESSAGE(compared << " points of parts, " << covered << " points of the plane");
+}

@@ -44,7 +44,16 @@ struct ScaleRange {
     /// row, or so many points on average.
     static constexpr double parts_of_whole = 8, details = 4, points_in_cell = 8;
     static constexpr std::size_t fewest = 4, most = 7;  // scales
+    /// Cells of points hold so many standard deviations of their noise.
+    static constexpr double noises = 12;
 };
+
+/// The logarithm, up to a constant, of the share of pairs at most `radius` apart among points that are spread evenly along a set of
+/// the dimension D in space of d dimensions and are then each moved by normal noise with the standard deviation `noise` in every
+/// coordinate: r^d 1F1((d - D) / 2; d / 2 + 1; -r^2 / (4 noise^2)). It grows as r^D far above the noise, as r^d below.
+///
+/// Example: noisy_correlation(1.5, 2, 1, 200) - noisy_correlation(1.5, 2, 1, 100) > 1.49 * std::log(2)
+double noisy_correlation(double dimension, int space, double noise, double radius);
 
 /// `whole` and its halves down to `detail`, where there is one; at most `most`.
 ///

@@ -86,4 +86,8 @@ std::optional<Expression> exact_ratio(const IteratedFunctions::Map& map);
 /// condition holds. None, with the reason, where a map is not a similarity.
 ExactDimension similarity_dimension(const IteratedFunctions& system, const Budget& budget = {});
 
+/// The dimensions of a self-affine carpet (Bedford 1984, McMullen 1984): all maps make a rectangle smaller by m one way and by n > m
+/// the other way, without a turn, into cells of the same grid. Nothing where they do not.
+std::optional<ExactDimension> carpet_dimension(const IteratedFunctions& system);
+
 }  // namespace algae

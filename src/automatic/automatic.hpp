@@ -237,7 +237,7 @@ struct CriticalExponent {
 CriticalExponent critical_exponent(const AutomaticWord& word, const Budget& budget);
 
 /// The same of the infinite word of a morphism, without automata and whatever its numeration: by repetitions of the words derived by returns, which
-/// repeat for primitive morphisms (`greatest_repetitions`). Throws Error if the word is none or its first letter does not come back in it, and
+/// repeat for primitive morphisms (`greatest_repetitions`). Whether it is infinite is decided first, for every word. Throws Error if the word is none or its first letter does not come back in it, and
 /// BoundReached where the derived words get too many or too large, or where roots of equal size decide.
 ///
 /// Example: critical_exponent(d0l("a", {{'a', "aab"}, {'b', "a"}}), Budget()).value->exact() == "3+sqrt(2)"

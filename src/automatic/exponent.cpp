@@ -702,8 +702,14 @@ CriticalExponent critical_exponent(const D0L& system, const Budget& budget) {
         if (image.empty()) throw Error("the first letter of the infinite word vanishes");
         first = image.front();
     }
-    const GreatestRepetitions all = greatest_repetitions(system.rules, first, budget);
     CriticalExponent found;
+    D0L own = system;  // whose words begin the infinite word, where one begins the next
+    own.axiom = {first};
+    found.infinite = system.successor(first).front() == first &&
+                     system.successor(first).size() > 1 &&
+                     !infinite_repetitions(own, budget).empty();
+    if (found.infinite) return found;
+    const GreatestRepetitions all = greatest_repetitions(system.rules, first, budget);
     found.infinite = all.periodic;
     if (found.infinite) return found;
     Rate rate;

@@ -23,7 +23,9 @@ namespace {
 
 struct WordsOptions {
     std::string what, file;
-    std::optional<std::string> word, say;
+    std::optional<std::string> word, say, count;
+    std::string walnut;
+    std::optional<AutomatonFormat> as;
     std::vector<std::string> order, let;
     std::optional<std::uint64_t> to;
     bool prove = false, json = false, latex = false;
@@ -153,6 +155,7 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
         return;
     }
     if (!options.prove) budget.memory = std::min(budget.memory, little);
+    bool is_listed = false;  // what needs large automata
     const auto each = [&](const char* what, auto decide) {
         if (late) return;
         try {
@@ -160,15 +163,19 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
         } catch (const BoundReached& bound) {
             if (bound.bound() == Bound::time || bound.bound() == Bound::method) {
                 late = bound.bound() == Bound::time;
+                is_listed = false;
                 add_reason(report, std::string(what) + (late ? " and what comes after: " : ": ") +
                                        bound.what());
                 return;
             }
             if (bound.bound() != Bound::memory || options.prove) throw;
-            report.not_proved +=
-                (report.not_proved.empty() ? "the automata are large, --prove goes on with them: "
-                                           : ", ") +
-                std::string(what);
+            if (is_listed)
+                report.not_proved += std::string(", ") + what;
+            else
+                add_reason(
+                    report,
+                    std::string("the automata are large, --prove goes on with them: ") + what);
+            is_listed = true;
         }
     };
     if (model.coding.empty())
@@ -193,6 +200,19 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
     }
 }
 
+/// Writes what Walnut has to know of the word into its folder.
+int write_for_walnut(const WordsOptions& options, const Model& model, const D0L& rules,
+                     const Budget& budget) {
+    const auto files = walnut_files(word_of(model, rules), model.name, budget);
+    for (const auto& [path, text] : files) {
+        const std::filesystem::path whole = std::filesystem::path(options.walnut) / path;
+        make_folders(whole.parent_path());
+        write_file(whole.string(), text);
+        print(whole.string() + "\n");
+    }
+    return success;
+}
+
 /// Decides --say.
 int decide(const WordsOptions& options, const Model& model, const D0L& rules,
            const Budget& budget) {
@@ -201,9 +221,28 @@ int decide(const WordsOptions& options, const Model& model, const D0L& rules,
         read_first_order(*options.say, "statement", "T", word.letters);
     WorkCount largest("states of the largest automaton so far:");
     const auto progress = [&](std::size_t states) { largest.at(states); };
-    const FirstOrderReport report{*options.say, model.name, word, statement.free(),
-                                  decide_first_order(statement, word, budget, progress)};
-    print(options.json ? to_json(report).text() : to_text(report));
+    FirstOrderReport report{*options.say, model.name, word, statement.free(),
+                            decide_first_order(statement, word, budget, progress)};
+    if (options.count) {
+        if (std::ranges::count(report.free, *options.count) == 0)
+            throw Error(
+                "--count: expected a number that no quantifier binds" +
+                (report.free.empty() ? std::string() : ", one of " + joined(report.free, ", ")) +
+                ", found '" + *options.count + "'");
+        if (report.free.size() != 2)
+            throw Error(
+                "--count: expected a statement with two numbers that no quantifier binds, " +
+                std::string("of which one is counted, found ") +
+                std::to_string(report.free.size()));
+        report.count = counts(report.answer.relation, *options.count, word.numeration);
+        report.counted = *options.count;
+    }
+    if (options.as)
+        print(report.count && *options.as == AutomatonFormat::sage
+                  ? matrices_text(*report.count)
+                  : automaton_text(report, *options.as));
+    else
+        print(options.json ? to_json(report).text() : to_text(report));
     return report.answer.holds ? success : refuted;
 }
 
@@ -215,6 +254,16 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
     if (options.say && options.to)
         throw Error(
             "--to is for the factors of a system, and --say is for a statement about its word");
+    if (!options.say && (options.as || options.count))
+        throw Error(std::string(options.as ? "--as" : "--count") +
+                    " is for the numbers that make a statement true, which --say gives");
+    if (options.as && (options.json || options.latex))
+        throw Error("--as, --json and --latex are different forms of one answer; give one of them");
+    if (!options.walnut.empty() && (options.say || options.json || options.latex || options.to))
+        throw Error(
+            "--walnut writes files on the word itself; --say ... --as walnut prints the automaton "
+            "of a "
+            "statement");
     if (!options.order.empty())
         throw Error("--order is for one word, and " + options.what + " is a system");
     const Model model = open_model(options.what, budget, options.let);
@@ -226,6 +275,7 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
             std::string(as_dil(model) ? "contexts" : "choices") + "; --word " + options.what +
             " is the word");
     if (options.say) return decide(options, model, *rules, budget);
+    if (!options.walnut.empty()) return write_for_walnut(options, model, *rules, budget);
     bool late = false;
     FactorValues report = values_to(options.to.value_or(24), model, *rules, budget, late);
     prove(report, options, model, *rules, budget, late);
@@ -247,6 +297,10 @@ int words(const WordsOptions& options) {
         throw Error("--prove is for the infinite word of a system, and one finite word is given");
     if (options.say)
         throw Error("--say is for the infinite word of a system, and one finite word is given");
+    if (options.as || options.count || !options.walnut.empty())
+        throw Error(
+            "--as, --count and --walnut are for the infinite word of a system, and one finite word "
+            "is given");
     if (!options.let.empty())
         throw Error("--let is for the constants of a system, and one word has none");
     if (options.to)
@@ -269,7 +323,8 @@ void add_words(Verbs& verbs) {
         {"algae words abaab", "algae words fibonacci --to 40",
          "algae words --word wall --order 'w a l'", "algae words --letters genome.txt --json",
          "algae words thue-morse --say 'for some i, n with n >= 1: for all k <= n: T[i+k] = "
-         "T[i+n+k]'"},
+         "T[i+n+k]'",
+         "algae words fibonacci --say 'n >= 1 and for some i: equal(i, i+n, 2n)' --as walnut"},
         words);
     verb.option("WHAT", options.what, "FILE|NAME",
                 "a word; or a system: a file, - for standard input, or a name from the gallery");
@@ -286,6 +341,20 @@ void add_words(Verbs& verbs) {
     verb.option("--say", options.say, given_word, "STATEMENT",
                 "decides a first-order statement about the infinite word T of a system; exit 1 if "
                 "it is refuted");
+    verb.choice<std::optional<AutomatonFormat>>(
+        "--as", options.as,
+        {{"walnut", AutomatonFormat::walnut},
+         {"gv", AutomatonFormat::graphviz},
+         {"sage", AutomatonFormat::sage}},
+        "walnut|gv|sage",
+        "with --say: prints the automaton of the numbers that no quantifier binds as Walnut, "
+        "Graphviz or Sage read it; with --count, matrices for Sage");
+    verb.option("--count", options.count, given_word, "NUMBER",
+                "with --say and two numbers that no quantifier binds: how many values of the other "
+                "one there are for each value of this one");
+    verb.output("--walnut", options.walnut, "FOLDER",
+                "of a system: writes its infinite word, and its number system where Walnut has "
+                "none, into the folder of Walnut");
     verb.flag("--prove", options.prove,
               "of a system: proves complexities for all lengths by automata of any size, or says "
               "why not");

@@ -106,6 +106,13 @@ namespace {
 
 using Kind = LanguageTree::Kind;
 
+Json root_json(const ClaimedNumber& number) {
+    Json polynomial = Json::array();
+    for (const Integer& one : number.polynomial.coefficients())
+        polynomial.push_back(to_string(one));
+    return {{"polynomial", std::move(polynomial)}, {"root", number.root}};
+}
+
 Json sections_certificate(const std::vector<std::pair<std::uint64_t, std::uint64_t>>& pairs,
                           const std::vector<SectionMatch>& matches, const Alphabet& alphabet) {
     Json words = Json::array(), sections = Json::array();
@@ -287,6 +294,14 @@ struct StatementWriter {
         for (const auto& [letter, name] : said.coding) result["coding"][letter] = name;
         return result;
     }
+    Json operator()(const HasCriticalExponent& said) const {
+        Json result{{"critical exponent", root_json(said.number)},
+                    {"compared", to_string(said.comparison)},
+                    {"system", said.system->name}};
+        for (const auto& [letter, name] : said.coding) result["coding"][letter] = name;
+        return result;
+    }
+    Json operator()(const IsCircular& said) const { return {{"circular", said.system->name}}; }
     Json operator()(const Joint& said) const {
         return {{joint_name(said.kind), statements(said.parts)}};
     }
@@ -894,6 +909,15 @@ struct ProofWriter {
         Json sums = Json::array();
         for (const auto& [n, sum] : said.sums) sums.push_back({to_string(n), std::to_string(sum)});
         return {{"by", "bispecial"}, {"sums", std::move(sums)}};
+    }
+    Json operator()(const steps::ByRepetitions& said) const {
+        return {{"by", said.rule}, {"exponent", root_json(said.exponent)}};
+    }
+    Json operator()(const steps::RepeatsForEver& said) const {
+        return {{"by", said.rule}, {"word", text(said.word)}, {"power", said.power}};
+    }
+    Json operator()(const steps::Synchronised& said) const {
+        return {{"by", said.rule}, {"delay", said.delay}};
     }
     Json operator()(const steps::FromStatements& said) const {
         Json parts = Json::array();

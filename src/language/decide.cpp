@@ -82,6 +82,10 @@ struct Judge {
     Answer operator()(const CountsInWord& said) const {
         return judge_counts(said, alphabet, budget);
     }
+    Answer operator()(const HasCriticalExponent& said) const {
+        return judge_critical_exponent(said, alphabet, budget);
+    }
+    Answer operator()(const IsCircular& said) const { return judge_circular(said, budget); }
     Answer operator()(const Joint& said) const { return judge_joint(said, claim, budget, limits); }
     Answer operator()(const Quantified& said) const {
         return judge_quantified(said, claim, budget, limits);

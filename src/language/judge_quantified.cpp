@@ -287,6 +287,8 @@ private:
     void put(BoundaryHasDimension&) const {}
     void put(HoldsInWord& said) const { said.system = system(said.system); }
     void put(CountsInWord& said) const { said.system = system(said.system); }
+    void put(HasCriticalExponent& said) const { said.system = system(said.system); }
+    void put(IsCircular& said) const { said.system = system(said.system); }
     void put(Joint& said) const {
         for (Statement& part : said.parts) part = (*this)(part);
     }
@@ -385,6 +387,8 @@ private:
     void in(const BoundaryHasDimension&) {}
     void in(const HoldsInWord&) {}
     void in(const CountsInWord&) {}
+    void in(const HasCriticalExponent&) {}
+    void in(const IsCircular&) {}
     void in(const Joint& said) {
         for (const Statement& part : said.parts) of(part);
     }

@@ -470,4 +470,220 @@ Answer judge_counts(const CountsInWord& said, const Alphabet& alphabet, const Bu
     return found.fails ? refuted(std::move(proof)) : proved(std::move(proof));
 }
 
+// Critical exponents and circular systems.
+//
+// The critical exponent is found as a number of the field of the rate of growth (`critical_exponent`). It is compared with the number of the
+// claim as a root of its minimal polynomial: the characteristic polynomial of the multiplication by a number of a field is a power of it.
+//
+// A system is circular where its morphism is injective and no word that grows has all its powers among the factors (Klouda and Starosta, 2019).
+// Then some delay is enough, which is looked for in windows: twice as long ones each time, then between.
+
+namespace {
+
+/// The real roots of a polynomial without multiple ones, in increasing order.
+std::vector<Ball> real_roots(const Polynomial& polynomial, long bits) {
+    std::vector<Ball> found;
+    for (Root& one : roots(polynomial, bits))
+        if (one.is_real) found.push_back(std::move(one.real));
+    std::sort(found.begin(), found.end(),
+              [](const Ball& x, const Ball& y) { return compare(x, y) == Order::less; });
+    return found;
+}
+
+std::strong_ordering compared(const ClaimedNumber& left, const ClaimedNumber& right) {
+    if (left.polynomial == right.polynomial) return left.root <=> right.root;
+    for (long bits = 64;; bits *= 2) {
+        const Order order = compare(real_roots(left.polynomial, bits).at(left.root),
+                                    real_roots(right.polynomial, bits).at(right.root));
+        if (order == Order::less) return std::strong_ordering::less;
+        if (order == Order::greater) return std::strong_ordering::greater;
+    }
+}
+
+/// The number as a root of its minimal polynomial; it is in the field of the rate.
+ClaimedNumber as_root(const Frequency& number, const Rate& rate) {
+    if (!number.number())
+        throw BoundReached(Bound::method,
+                           "the critical exponent is in a field of a degree above 8");
+    const auto& [above, below] = *number.number();
+    const NumberField field(rate.minimal_polynomial());
+    const auto degree = static_cast<std::size_t>(rate.degree());
+    IntegerMatrix times(degree, degree);
+    for (std::size_t column = 0; column < degree; ++column) {
+        const Polynomial product = field.multiply(above, Polynomial::monomial(1, column));
+        for (std::size_t row = 0; row < degree; ++row)
+            times(row, column) = product.coefficient(row);
+    }
+    const Polynomial characteristic = characteristic_polynomial(times);
+    std::vector<Integer> scaled;  // of the quotient
+    for (std::size_t k = 0; k < characteristic.coefficients().size(); ++k)
+        scaled.push_back(characteristic.coefficient(k) * power(below.coefficient(0), k));
+    ClaimedNumber found{factorise(Polynomial(std::move(scaled))).powers.front().factor, 0,
+                        number.exact()};
+    if (found.polynomial.leading_coefficient() < 0) found.polynomial = -found.polynomial;
+    for (long bits = 64;; bits *= 2) {
+        const std::vector<Ball> all = real_roots(found.polynomial, bits);
+        std::size_t near = 0;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (all[i].overlaps(number.enclosure(bits))) {
+                found.root = i;
+                ++near;
+            }
+        if (near == 1) return found;
+    }
+}
+
+bool is_so(Comparison comparison, std::strong_ordering order) {
+    switch (comparison) {
+        case Comparison::equal:
+            return order == 0;
+        case Comparison::unequal:
+            return order != 0;
+        case Comparison::less:
+            return order < 0;
+        case Comparison::at_most:
+            return order <= 0;
+        case Comparison::greater:
+            return order > 0;
+        case Comparison::at_least:
+            return order >= 0;
+    }
+    return false;
+}
+
+/// The least power of the morphism that takes a word to a power, above 1, of a conjugate of it; nothing if none up to the number of letters is one.
+std::optional<std::uint64_t> power_that_repeats(const D0L& system, const Word& word,
+                                                const Budget& budget) {
+    Word image = word;
+    for (std::uint64_t power = 1; power <= system.letters.size(); ++power) {
+        budget.check();
+        image = system.rules(image);
+        if (image.size() > budget.letters) return std::nullopt;
+        const Word root = primitive_root(image);
+        if (image.size() > word.size() && root.size() == word.size() &&
+            least_conjugate(root) == least_conjugate(word))
+            return power;
+    }
+    return std::nullopt;
+}
+
+/// Whether a word that grows has all its powers among the factors; and one, if it is seen by a power of the morphism.
+std::pair<bool, std::optional<steps::RepeatsForEver>> growing_repetition(const std::string& name,
+                                                                         const D0L& system,
+                                                                         const Budget& budget) {
+    bool grows = false;
+    for (const InfiniteRepetition& one : infinite_repetitions(system, budget)) {
+        if (!one.grows) continue;
+        grows = true;
+        if (const auto power = power_that_repeats(system, one.word, budget))
+            return {true, steps::RepeatsForEver{name, one.word, *power}};
+    }
+    return {grows, std::nullopt};
+}
+
+bool erases(const D0L& system) {
+    return std::any_of(system.letters.begin(), system.letters.end(),
+                       [&](Symbol letter) { return system.successor(letter).empty(); });
+}
+
+}  // namespace
+
+Answer judge_critical_exponent(const HasCriticalExponent& said, const Alphabet& alphabet,
+                               const Budget& budget) {
+    const D0L system = as_d0l(*said.system);
+    std::optional<CriticalExponent> found;
+    if (said.coding.empty()) try {
+            found = critical_exponent(system, budget);
+        } catch (const Error&) {  // the first letter does not come back
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+        }
+    if (!found)
+        found = critical_exponent(infinite_word(*said.system, said.coding, alphabet), budget);
+    if (found->infinite) {
+        const bool holds = said.comparison == Comparison::unequal ||
+                           said.comparison == Comparison::greater ||
+                           said.comparison == Comparison::at_least;
+        D0L own = system;  // whose words begin the infinite word
+        own.axiom = {Numeration(system).letters().front()};
+        std::optional<steps::RepeatsForEver> proof;
+        if (!erases(system)) proof = growing_repetition(said.system->name, own, budget).second;
+        return decided(holds, proof ? *proof : steps::RepeatsForEver{said.system->name, {}, 1});
+    }
+    Rate rate;
+    for (const Component& part : components(growth_matrix(system), budget).list)
+        if (part.rate) rate = std::max(rate, *part.rate);
+    ClaimedNumber exponent = as_root(*found->value, rate);
+    const bool holds = is_so(said.comparison, compared(exponent, said.number));
+    return decided(holds,
+                   steps::ByRepetitions{said.system->name, std::move(exponent), found->factor});
+}
+
+namespace {
+
+/// Whether all factors of some length have a place where every word whose image they stand in is cut.
+bool is_synchronised(const D0L& system, std::size_t length, const Budget& budget) {
+    std::map<Word, std::vector<bool>> cuts;  // the places that all have in common
+    std::size_t size = 0;
+    for (const Word& word : factors(system, length, budget).words) {
+        Word image;
+        std::vector<bool> is_cut{true};
+        for (const Symbol letter : word) {
+            const Word& part = system.successor(letter);
+            image.insert(image.end(), part.begin(), part.end());
+            is_cut.resize(image.size() + 1);
+            is_cut.back() = true;
+        }
+        for (std::size_t begin = 0; begin + length <= image.size(); ++begin) {
+            budget.check();
+            const auto from = static_cast<std::ptrdiff_t>(begin),
+                       to = static_cast<std::ptrdiff_t>(begin + length);
+            std::vector<bool> here(is_cut.begin() + from, is_cut.begin() + to + 1);
+            const auto [known, is_new] =
+                cuts.try_emplace(Word(image.begin() + from, image.begin() + to), here);
+            if (is_new) {
+                budget.check_memory(size += length * (sizeof(Symbol) + 1) + 100, "the windows");
+                continue;
+            }
+            for (std::size_t i = 0; i <= length; ++i)
+                known->second[i] = known->second[i] && here[i];
+        }
+    }
+    return std::all_of(cuts.begin(), cuts.end(), [](const auto& one) {
+        return std::find(one.second.begin(), one.second.end(), true) != one.second.end();
+    });
+}
+
+}  // namespace
+
+Answer judge_circular(const IsCircular& said, const Budget& budget) {
+    const D0L system = as_d0l(*said.system);
+    if (erases(system))
+        return undecided("Circular systems have morphisms that erase no letter, and that of " +
+                         said.system->name + " erases one.");
+    const bool is_injective = made_injective({system.axiom, system.rules}, budget).steps == 0;
+    if (is_injective) {
+        auto [grows, proof] = growing_repetition(said.system->name, system, budget);
+        if (proof) return refuted(std::move(*proof));
+        if (grows) return refuted(steps::RepeatsForEver{said.system->name, {}, 1});
+    }
+    constexpr std::size_t most_not_injective = 64;
+    std::size_t below = 0, length = 1;  // no factors of `below` letters are synchronised
+    WorkCount lengths("windows of length");
+    while (!is_synchronised(system, length, budget)) {
+        if (!is_injective && length >= most_not_injective)
+            return undecided("The morphism of " + said.system->name +
+                             " is not injective, and some factors of " + std::to_string(length) +
+                             " letters have no place where all words are cut.");
+        below = length;
+        length *= 2;
+        lengths.at(length);
+    }
+    while (length - below > 1) {
+        const std::size_t middle = below + (length - below) / 2;
+        (is_synchronised(system, middle, budget) ? length : below) = middle;
+    }
+    return proved(steps::Synchronised{said.system->name, length - 1});
+}
+
 }  // namespace algae

@@ -878,6 +878,27 @@ struct CountsInWord {
     std::map<std::string, std::string> coding = {};
 };
 
+/// A real algebraic number that a claim names.
+struct ClaimedNumber {
+    Polynomial polynomial;  // irreducible, the leading coefficient above 0
+    std::size_t root = 0;   // which of its real roots, in increasing order
+    std::string text = {};  // as written
+};
+
+/// The critical exponent of the infinite word of a D0L system, compared with a number.
+struct HasCriticalExponent {
+    std::shared_ptr<const SourceSystem> system;
+    Comparison comparison = Comparison::equal;
+    ClaimedNumber number;
+    std::map<std::string, std::string> coding = {};
+};
+
+/// Long factors of the words of a D0L system have a place where each word whose image they stand in is cut: the system is circular, with
+/// a synchronising delay (Klouda and Starosta, Characterization of circular D0L-systems, 2019).
+struct IsCircular {
+    std::shared_ptr<const SourceSystem> system;
+};
+
 struct Statement;
 
 /// Several statements as one.
@@ -923,7 +944,8 @@ struct Statement {
     std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, IsCode,
                  IsPalindrome, Derives, EqualSequences, EqualGrowth, HasGrowthClass, IsIncreasing,
                  ComparesNumbers, ComparesWords, Rewrites, HasChance, HasDimension,
-                 BoundaryHasDimension, HoldsInWord, CountsInWord, Joint, Quantified>
+                 BoundaryHasDimension, HoldsInWord, CountsInWord, HasCriticalExponent, IsCircular,
+                 Joint, Quantified>
         says;
     bool negated = false;
     std::string text = {};  // as written

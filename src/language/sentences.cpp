@@ -384,6 +384,32 @@ public:
         say("So " + number(said.letters) + " letters make " + marked(linear) +
             " factors of n letters for all n from " + to_string(said.from) + " on.");
     }
+    void operator()(const steps::ByRepetitions& said) {
+        say("Cut into return words to its first letter, again and again, the infinite word of " +
+            marked(said.system) +
+            " comes back, so its longest repetitions are the images of finitely many, and their "
+            "exponents have limits.");
+        const std::string value = marked(said.exponent.text);
+        say(said.factor ? "The greatest exponent is " + value + ", that of a factor of " +
+                              to_string(said.factor->first) + " letters with the period " +
+                              to_string(said.factor->second) + "."
+                        : "Their least upper bound is " + value + ", which no factor reaches.");
+    }
+    void operator()(const steps::RepeatsForEver& said) {
+        if (said.word.empty())
+            return say("All powers of a word are factors of the infinite word of " +
+                       marked(said.system) + ".");
+        const std::string text = word(said.word);
+        say("All powers of " + text + " are factors: its square is one, and " +
+            (said.power == 1 ? "the morphism" : "the morphism, " + number(said.power) + " times,") +
+            " takes it to a power of one of its conjugates.");
+    }
+    void operator()(const steps::Synchronised& said) {
+        say("Each factor of " + number(said.delay + 1) +
+            " letters has a place where every word whose image it stands in is cut, so " +
+            marked(said.system) + " is circular with the synchronising delay " +
+            number(said.delay) + ".");
+    }
     void operator()(const steps::Falls& said) {
         say("Generation " + number(said.generation) + " of " + marked(said.system) + " has " +
             marked(to_string(said.before)) + " letters and the next one " +

@@ -243,13 +243,17 @@ bool parse_word_property(std::string_view text, Statement& statement, ClaimReadi
         return false;  // of a language, so a mistake that is told with those
     const char* const where = rest.data();
     const InfiniteWord word(name, reading);
+    if (rest == "circular") {
+        statement.says = IsCircular{word.system};
+        return true;
+    }
     std::string says;
     if (const auto free = power_freeness(rest)) {
         says = *free;
     } else if (rest == "balanced") {
         says = balance(word, where);
     } else {
-        std::vector<std::string> all{"balanced", "7/3-power-free", "7/3+-power-free"};
+        std::vector<std::string> all{"balanced", "circular", "7/3-power-free", "7/3+-power-free"};
         for (const WordProperty& one : word_properties) {
             all.emplace_back(one.name);
             if (behind(rest, one.name) == "") says = one.says;
@@ -261,6 +265,43 @@ bool parse_word_property(std::string_view text, Statement& statement, ClaimReadi
                                          "; of its language, write L(" + std::string(name) + ")"};
     }
     statement.says = HoldsInWord{word.system, word.own(says), word.coding};
+    return true;
+}
+
+bool parse_critical_exponent(std::string_view text, Statement& statement, ClaimReading& reading) {
+    std::string_view rest = text;
+    if (take_name(rest) != "critical_exponent") return false;
+    if (!take_sign(rest, "(")) throw unexpected("'(' after 'critical_exponent'", rest.data());
+    const char* const where = rest.data();
+    const std::string_view name = take_name(rest);
+    if (name.empty()) throw unexpected("the name of a system", where);
+    if (!take_sign(rest, ")")) throw unexpected("')'", rest.data());
+    const InfiniteWord word(name, reading);
+    HasCriticalExponent said{word.system, Comparison::equal, {}, word.coding};
+    static constexpr std::pair<std::string_view, Comparison> signs[] = {
+        {"<=", Comparison::at_most}, {"≤", Comparison::at_most}, {">=", Comparison::at_least},
+        {"≥", Comparison::at_least}, {"<", Comparison::less},    {">", Comparison::greater},
+        {"!=", Comparison::unequal}, {"≠", Comparison::unequal}, {"==", Comparison::equal},
+        {"=", Comparison::equal}};
+    bool is_compared = false;
+    for (const auto& [sign, comparison] : signs) {
+        if (!rest.starts_with(sign)) continue;
+        said.comparison = comparison;
+        rest = trimmed(rest.substr(sign.size()));
+        is_compared = true;
+        break;
+    }
+    if (!is_compared) throw unexpected("'=', '!=', '<', '<=', '>' or '>='", rest.data());
+    const char* here = rest.data();
+    const char* const end = here + rest.size();
+    said.number = parse_claimed_number(here, end);
+    while (here != end && is_blank(static_cast<unsigned char>(*here))) ++here;
+    if (here != end) throw unexpected("an operator or the end of the statement", here);
+    if (said.comparison == Comparison::unequal) {
+        said.comparison = Comparison::equal;
+        statement.negated = true;
+    }
+    statement.says = std::move(said);
     return true;
 }
 

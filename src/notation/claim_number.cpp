@@ -230,8 +230,8 @@ bool is_decimal(std::string_view number) {
     return number.find('.') != std::string_view::npos;
 }
 
-/// Reads `x^3 - x^2 - 2`, monic, of degree at most 100. Throws `SyntaxError`.
-Polynomial parse_polynomial(const char*& here, const char* end) {
+/// Reads `x^3 - x^2 - 2`, of degree at most 100, and monic if that is wanted. Throws `SyntaxError`.
+Polynomial parse_polynomial(const char*& here, const char* end, bool monic = true) {
     Polynomial sum;
     const char* where = here;
     bool minus = false;
@@ -258,7 +258,9 @@ Polynomial parse_polynomial(const char*& here, const char* end) {
     grammar::read(here, end,
                   grammar::place(where) >> -x3::raw[x3::lit('-')][on_sign] >>
                       term % x3::raw[x3::char_("+-")][on_sign]);
-    if (sum.degree() < 1 || sum.leading_coefficient() != 1)
+    if (sum.degree() < 1 && !monic)
+        throw SyntaxError{where, "expected a polynomial in x, found " + to_string(sum)};
+    if (monic && (sum.degree() < 1 || sum.leading_coefficient() != 1))
         throw SyntaxError{
             where, "expected a polynomial that begins with a power of x, found " + to_string(sum)};
     return sum;
@@ -297,6 +299,52 @@ AlgebraicInteger parse_algebraic(const char*& here, const char* end) {
 }
 
 }  // namespace
+
+ClaimedNumber parse_claimed_number(const char*& here, const char* end) {
+    ClaimedNumber read;
+    const char* const where = here;
+    const auto largest = grammar::into(read.polynomial, [&](const char*& first, const char* last) {
+        const Polynomial written = parse_polynomial(first, last, false);
+        std::optional<Ball> greatest;
+        std::optional<Polynomial> found;
+        for (const Polynomial& factor : factors_of(written))
+            for (const Root& root : roots(factor, 256))
+                if (root.is_real && (!greatest || compare(*greatest, root.real) == Order::less)) {
+                    greatest = root.real;
+                    found = factor;
+                }
+        if (!found)
+            throw SyntaxError{
+                where, "expected a polynomial with a real root, found " + to_string(written)};
+        for (const Root& root : roots(*found, 64)) read.root += root.is_real;
+        --read.root;
+        return *found;
+    });
+    const auto surd = grammar::into(read.polynomial, [&](const char*& first, const char* last) {
+        const QuadraticNumber number = parse_sum(first, last, false);
+        const Rational trace = number.rational * Rational(2),
+                       norm = number.rational * number.rational -
+                              number.factor * number.factor * Rational(number.radicand);
+        // Numerators of x - r, or x^2 - trace x + norm.
+        const bool is_rational = number.factor.is_zero();
+        const Rational one = is_rational ? -number.rational : norm,
+                       next = is_rational ? Rational(1) : -trace;
+        const Integer common = one.denominator() * next.denominator();
+        std::vector<Integer> terms;
+        for (const Rational& term : {one, next, Rational(1)})
+            terms.push_back((term * Rational(common)).numerator());
+        if (is_rational) terms.pop_back();
+        read.root = !is_rational && number.factor > Rational(0);
+        return factors_of(Polynomial(std::move(terms))).front();
+    });
+    grammar::read(
+        here, end,
+        (word("the") >> word("largest") >> word("real") >> word("root") >> word("of") >> largest) |
+            surd);
+    if (read.polynomial.leading_coefficient() < 0) read.polynomial = -read.polynomial;
+    read.text = trimmed(std::string_view(where, static_cast<std::size_t>(here - where)));
+    return read;
+}
 
 DimensionValue parse_dimension_value(const char*& here, const char* end) {
     std::optional<AlgebraicInteger> over;

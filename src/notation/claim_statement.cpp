@@ -413,6 +413,9 @@ public:
     /// `complexity(f, n) = n + 1`.
     bool complexities() { return parse_complexities(text_, statement_, reading_); }
 
+    /// `critical_exponent(f) = 2 + (1+sqrt(5))/2`.
+    bool critical_exponent() { return parse_critical_exponent(text_, statement_, reading_); }
+
     /// `abba in factors(f)`.
     bool factor() { return parse_factor(text_, statement_, reading_); }
 
@@ -461,6 +464,7 @@ constexpr StatementForm statement_forms[] = {
     {"abba is a palindrome", &StatementReader::palindrome},
     {"f is overlap-free", &StatementReader::word_property},
     {"complexity(f, n) = n + 1", &StatementReader::complexities},
+    {"critical_exponent(f) = 2 + (1+sqrt(5))/2", &StatementReader::critical_exponent},
     {"sequence(G) == sequence(H)", &StatementReader::sequences},
     {"growth(G) is strictly increasing", &StatementReader::increasing},
     {"growth(G) = 2^n + 1", &StatementReader::growth},

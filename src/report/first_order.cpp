@@ -10,7 +10,7 @@ namespace algae {
 namespace {
 
 constexpr std::size_t letters_shown = 24, members_shown = 12, members_listed = 100,
-                      states_listed = 10'000;
+                      states_listed = 10'000, expression_shown = 200;
 
 std::string beginning(const AutomaticWord& word) {
     std::string all;
@@ -56,8 +56,19 @@ std::string to_text(const FirstOrderReport& report) {
         }
         if (tuples.size() > members_shown) all += ", ...";
         if (!tuples.empty()) page += line("true for " + joined(report.free, ", "), all);
+        if (const auto set = regular_expression(relation, report.word.numeration);
+            set && set->size() <= expression_shown)
+            page += line("as digits", *set);
         page += line("automaton", fmt::format("{} states, digits 0 to {}", relation.states(),
                                               report.word.numeration.base() - 1));
+    }
+    if (report.count) {
+        std::vector<std::string> first;
+        for (std::size_t n = 0; n < members_shown; ++n)
+            first.push_back(to_string(report.count->value(report.word.numeration, Integer(n))));
+        page += line("number for each " + report.counted, joined(first, ", ") + ", ...");
+        page += line("  counted by", fmt::format("matrices with {} rows, one for each digit",
+                                                 report.count->size()));
     }
     return page + line("decided by",
                        fmt::format("automata in the numeration of Dumont and Thomas; the largest "
@@ -89,12 +100,32 @@ Json to_json(const FirstOrderReport& report) {
         states.add(Json{{"accepting", relation.accepting[s] != 0}, {"edges", std::move(edges)}});
     }
     const bool is_closed = report.free.empty();
+    const auto expression = regular_expression(relation, report.word.numeration);
+    Json count;
+    if (report.count) {
+        Json first = Json::array();
+        for (std::size_t n = 0; n < members_listed; ++n)
+            first.add(Json(report.count->value(report.word.numeration, Integer(n))));
+        Json matrices = Json::array();
+        for (const auto& matrix : report.count->matrices) {
+            Json rows = Json::array();
+            for (const std::vector<Integer>& row : matrix) rows.add(Json(row));
+            matrices.add(std::move(rows));
+        }
+        count = Json{{"of", report.counted},
+                     {"values", std::move(first)},
+                     {"begin", report.count->begin},
+                     {"digits", std::move(matrices)},
+                     {"end", report.count->end}};
+    }
     return {{"statement", report.statement},
             {"system", report.system},
             {"verdict", is_closed ? Json(report.answer.holds ? "proved" : "refuted") : Json()},
             {"witness", std::move(witness)},
             {"free", report.free},
             {"members", is_closed ? Json() : std::move(tuples)},
+            {"expression", expression ? Json(*expression) : Json()},
+            {"count", std::move(count)},
             {"automaton", is_closed ? Json()
                                     : Json{{"states", relation.states()},
                                            {"base", base},

@@ -240,10 +240,34 @@ struct FirstOrderReport {
     AutomaticWord word;
     std::vector<std::string> free;  // variables that no quantifier binds
     FirstOrderAnswer answer;
+    /// How many other numbers make the statement true with each value of one, `counted`.
+    std::optional<LinearRepresentation> count = {};
+    std::string counted = {};
 };
 
 std::string to_text(const FirstOrderReport& report);
 Json to_json(const FirstOrderReport& report);
+
+/// Programs that read the automaton of a statement.
+enum class AutomatonFormat { walnut, graphviz, sage };
+
+/// The automaton of a statement with free variables, which are its tracks in the order of names: an automaton of Walnut, a graph, or an `Automaton`
+/// of Sage. Throws Error if all variables are bound.
+std::string automaton_text(const FirstOrderReport& report, AutomatonFormat format);
+
+/// A set of numbers, of a relation of one variable, as a regular expression over digits, greatest first; nothing where the automaton has more than 40 states or the expression
+/// more than 2,000 letters.
+std::optional<std::string> regular_expression(const AutomaticRelation& relation,
+                                              const Numeration& numeration);
+
+/// What Walnut has to know of a word, by the paths of files in its folder: the automaton of the word and, where Walnut does not have its number system, those of
+/// representations and of addition, `msd_dt` and the name of the system. Throws as `decide_first_order`.
+std::vector<std::pair<std::string, std::string>> walnut_files(const AutomaticWord& word,
+                                                              const std::string& system,
+                                                              const Budget& budget);
+
+/// The vectors `begin` and `end`, and the list `digits` of matrices, for Sage.
+std::string matrices_text(const LinearRepresentation& count);
 
 /// The dimension of a figure, exact from the rules and measured by boxes.
 struct DimensionReport {

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,7 +22,8 @@
 // are tried. So each bispecial factor of u is the image, over finitely many words, of one without first letter.
 //
 // Factors with the same numbers of letters are taken together. What becomes of such a group, and the sum that it adds to a length, depends on the pairs of its
-// members alone. Groups from which a circle leads to a sum that is not 0 are not judged; all other sums are finitely many.
+// members alone. Groups that come back add sums for arbitrarily great lengths, which satisfy a recurrence; where such lengths are the same from some place on, their
+// sums are added. If some are not 0 then, the number of factors is not linear, and nothing is judged.
 
 namespace algae::verify {
 
@@ -28,7 +32,6 @@ namespace {
 using Pairs = std::set<std::pair<Symbol, Symbol>>;
 using Group = std::multiset<Pairs>;  // around factors with the same numbers of letters
 using Numbers = std::vector<Integer>;
-using Images = std::vector<Word>;  // of letters 0, 1, ... in the order of their first occurrences
 
 constexpr std::size_t most = 1'000'000;  // letters of return words and of images, windows, lengths
 
@@ -65,11 +68,11 @@ bool is_bispecial(const Pairs& pairs) {
                        [&](const auto& one) { return one.second != pairs.begin()->second; });
 }
 
-/// The morphism of the word, and its letters by first occurrence.
-Images morphism_of(const Obligation& task) {
+}  // namespace
+
+Symbol first_letter(const Obligation& task) {
     const System& system = task.system();
     if (!is_d0l(system)) task.refuse("the system is not D0L");
-    if (!task.statement.coding.empty()) task.refuse("the word is coded");
     const System::Successors& rules = system.tables[0];
     if (system.axiom.empty()) task.refuse("the axiom is empty");
     Symbol first = system.axiom[0];
@@ -80,6 +83,13 @@ Images morphism_of(const Obligation& task) {
     for (std::size_t i = 0; i < rules.size(); ++i) first = head(first);
     if (head(first) != first || rules[first][0].size() < 2)
         task.refuse("no word of the system begins with the one before it for ever");
+    return first;
+}
+
+Images morphism_of(const Obligation& task) {
+    if (!task.statement.coding.empty()) task.refuse("the word is coded");
+    const Symbol first = first_letter(task);
+    const System::Successors& rules = task.system().tables[0];
     std::map<Symbol, Symbol> numbers{{first, 0}};
     std::vector<Symbol> letters{first};
     Images images;
@@ -95,12 +105,7 @@ Images morphism_of(const Obligation& task) {
     return images;
 }
 
-/// One of the words, cut into return words to 0.
-struct Cut {
-    std::size_t letters = 0;
-    Images returns;
-    Images next;  // the morphism of the word of the return words
-};
+namespace {
 
 Cut cut(const Images& h, const Obligation& task) {
     Cut found;
@@ -146,17 +151,28 @@ Cut cut(const Images& h, const Obligation& task) {
     return found;
 }
 
+}  // namespace
+
+Cuts cuts_of(Images h, const Obligation& task) {
+    Cuts found;
+    std::map<Images, std::size_t> seen;
+    while (seen.try_emplace(h, found.all.size()).second) {
+        expect_small(1000 * found.all.size(), "words of return words");
+        found.all.push_back(cut(h, task));
+        h = found.all.back().next;
+    }
+    found.before = seen.at(h);
+    return found;
+}
+
+namespace {
+
 class Bispecial {
 public:
     explicit Bispecial(const Obligation& task) : task_(task) {
-        std::map<Images, std::size_t> seen;
-        for (Images h = morphism_of(task); seen.try_emplace(h, cuts_.size()).second;) {
-            expect_small(1000 * cuts_.size(), "words of return words");
-            cuts_.push_back(cut(h, task));
-            h = cuts_.back().next;
-            again_ = h;
-        }
-        before_ = seen.at(again_);
+        Cuts found = cuts_of(morphism_of(task), task);
+        cuts_ = std::move(found.all);
+        before_ = found.before;
     }
 
     std::size_t letters() const { return cuts_.front().letters; }
@@ -170,26 +186,40 @@ public:
         for (const auto& [place, group] : roots)
             if (place.first >= before_) type(place.first, group);
         explore();
+        find_circles();
         for (const auto& [place, group] : roots) {
             if (place.first < before_)
                 for (const auto& [numbers, sum] : ends(place.first, group))
-                    add(place.first, place.second, numbers, sum);
+                    add(length(place.first, place.second, numbers), sum);
             else
                 follow(type(place.first, group), place.second);
         }
+        for (const Stream& one : streams_)
+            if (one.sum != 0)
+                throw BoundReached(Bound::method,
+                                   "sums for arbitrarily great lengths are not judged");
         std::erase_if(sums_, [](const auto& one) { return one.second == 0; });
         return sums_;
     }
 
 private:
+    static constexpr std::size_t none = ~std::size_t{0};
+
     struct Type {
         std::size_t level;
         Group group;
         std::vector<std::pair<std::size_t, Numbers>> next = {};  // and what is added to the image
         std::map<Numbers, std::int64_t> ends =
-            {};                // in the word itself: what is added, and the sum; none is 0
-        bool matters = false;  // some group that comes of it has a sum
+            {};                     // in the word itself: what is added, and the sum; none is 0
+        bool matters = false;       // some group that comes of it has a sum
+        std::size_t circle = none;  // the first type on its circle of types that matter
     };
+    /// Lengths of which each is the next one of a circle that is gone round, with the same sum.
+    struct Stream {
+        std::vector<Integer> lengths;
+        std::int64_t sum;
+    };
+    using Sums = std::vector<std::pair<Integer, std::int64_t>>;
 
     /// The factors without 0 that are bispecial.
     std::map<Word, Pairs> without_first(const Cut& in) const {
@@ -271,9 +301,13 @@ private:
         return numbers;
     }
 
-    void add(std::size_t level, const Numbers& numbers, const Numbers& added, std::int64_t sum) {
-        Integer length = 0;
-        for (const Integer& one : down(level, numbers) + added) length += one;
+    Integer length(std::size_t level, const Numbers& numbers, const Numbers& added) const {
+        Integer found = 0;
+        for (const Integer& one : down(level, numbers) + added) found += one;
+        return found;
+    }
+
+    void add(const Integer& length, std::int64_t sum) {
         sums_[length] += sum;
         expect_small(sums_.size(), "lengths");
     }
@@ -310,25 +344,155 @@ private:
         }
     }
 
-    /// Adds the sums of what comes of a group. A group that matters and comes back would add for ever.
+    /// The circles of types that matter: each leads to one type of it, and to no other circle.
+    void find_circles() {
+        for (std::size_t i = 0; i < types_.size(); ++i) {
+            task_.budget.check();
+            if (!types_[i].matters || types_[i].circle != none) continue;
+            std::set<std::size_t> found;
+            std::vector<std::size_t> open{i};
+            while (!open.empty()) {
+                const std::size_t at = open.back();
+                open.pop_back();
+                for (const auto& [to, added] : types_[at].next)
+                    if (types_[to].matters && found.insert(to).second) open.push_back(to);
+            }
+            if (!found.contains(i)) continue;
+            std::size_t steps = 0;
+            for (std::size_t at = i; steps == 0 || at != i; ++steps) {
+                if (steps > types_.size()) not_one_circle();
+                types_[at].circle = i;
+                at = next_on_circle(at, found, i);
+            }
+            steps_ = std::lcm(steps_, steps);
+            expect_small(steps_, "steps round a circle of groups");
+        }
+    }
+    [[noreturn]] static void not_one_circle() {
+        throw BoundReached(Bound::method, "circles of groups that meet are not judged");
+    }
+    /// Of a type on a circle through i, from which these are reached, the next one.
+    std::size_t next_on_circle(std::size_t at, const std::set<std::size_t>& reached,
+                               std::size_t i) const {
+        std::size_t found = none;
+        for (const auto& [to, added] : types_[at].next) {
+            if (!types_[to].matters || !reached.contains(to) || !leads(to, i)) continue;
+            if (found != none) not_one_circle();
+            found = to;
+        }
+        return found;
+    }
+    bool leads(std::size_t from, std::size_t to) const {
+        std::set<std::size_t> found{from};
+        std::vector<std::size_t> open{from};
+        while (!open.empty()) {
+            task_.budget.check();
+            const std::size_t at = open.back();
+            open.pop_back();
+            if (at == to) return true;
+            for (const auto& [next, added] : types_[at].next)
+                if (types_[next].matters && found.insert(next).second) open.push_back(next);
+        }
+        return false;
+    }
+
+    /// The sums of what comes of a group, in a fixed order. Where it comes to a circle, that is gone round for ever.
+    void collect(std::size_t at, const Numbers& numbers, Sums& found) const {
+        task_.budget.check();
+        if (!types_[at].matters) return;
+        if (types_[at].circle != none) not_one_circle();
+        collect_here(at, numbers, found);
+        for (const auto& [to, added] : types_[at].next)
+            collect(to, image(cuts_[above(types_[at].level)], numbers) + added, found);
+    }
+    void collect_here(std::size_t at, const Numbers& numbers, Sums& found) const {
+        for (const auto& [added, sum] : types_[at].ends)
+            found.emplace_back(length(types_[at].level, numbers, added), sum);
+    }
+
+    /// Adds the sums of what comes of a group.
     void follow(std::size_t at, const Numbers& numbers) {
         task_.budget.check();
         if (!types_[at].matters) return;
-        if (++depth_ > types_.size())
-            throw BoundReached(Bound::method, "sums for arbitrarily great lengths are not judged");
-        for (const auto& [added, sum] : types_[at].ends) add(types_[at].level, numbers, added, sum);
+        if (types_[at].circle != none) return go_round(at, numbers);
+        Sums found;
+        collect_here(at, numbers, found);
+        for (const auto& [one, sum] : found) add(one, sum);
         for (const auto& [to, added] : types_[at].next)
             follow(to, image(cuts_[above(types_[at].level)], numbers) + added);
-        --depth_;
+    }
+
+    /// The same of a group on a circle: the lengths at each place satisfy a recurrence of one term more than there are letters, as soon as nilpotent
+    /// parts are gone, so two places have the same lengths for ever if they have so many in a row.
+    void go_round(std::size_t at, Numbers numbers) {
+        std::size_t terms = 0;
+        for (const Cut& one : cuts_) terms = std::max(terms, one.letters + 1);
+        const std::size_t most_rounds = 5 * terms + 20;
+        std::vector<Stream> own;
+        for (std::size_t i = 0; i < most_rounds; ++i) {
+            Sums found;
+            for (std::size_t step = 0; step < steps_; ++step) {
+                collect_here(at, numbers, found);
+                std::optional<std::pair<std::size_t, Numbers>> next;
+                for (const auto& [to, added] : types_[at].next) {
+                    Numbers here = image(cuts_[above(types_[at].level)], numbers) + added;
+                    if (types_[to].circle == types_[at].circle)
+                        next.emplace(to, std::move(here));
+                    else
+                        collect(to, here, found);
+                }
+                std::tie(at, numbers) = std::move(*next);
+            }
+            own.resize(found.size());
+            for (std::size_t k = 0; k < found.size(); ++k) {
+                if (i < terms)
+                    add(found[k].first, found[k].second);
+                else
+                    own[k].lengths.push_back(found[k].first);
+                own[k].sum = found[k].second;
+            }
+        }
+        for (Stream& one : own) join(std::move(one), terms + 1);
+    }
+
+    /// Adds a stream to one that has the same lengths from some place on. What stands before that place is added by itself.
+    void join(Stream one, std::size_t needed) {
+        const auto cut = [&](Stream& stream, std::size_t before) {
+            for (std::size_t i = 0; i < before; ++i) add(stream.lengths[i], stream.sum);
+            stream.lengths.erase(stream.lengths.begin(),
+                                 stream.lengths.begin() + static_cast<std::ptrdiff_t>(before));
+        };
+        const auto place = [&](const Stream& in, const Stream& of) {
+            const auto to = of.lengths.begin() + static_cast<std::ptrdiff_t>(needed);
+            const auto at =
+                std::search(in.lengths.begin(), in.lengths.end(), of.lengths.begin(), to);
+            return at == in.lengths.end() ? none
+                                          : static_cast<std::size_t>(at - in.lengths.begin());
+        };
+        for (Stream& known : streams_) {
+            if (known.lengths.size() < needed) continue;
+            if (const std::size_t at = place(known, one); at != none) {
+                cut(known, at);
+                known.sum += one.sum;
+                return;
+            }
+            if (const std::size_t at = place(one, known); at != none) {
+                cut(one, at);
+                known.sum += one.sum;
+                return;
+            }
+        }
+        streams_.push_back(std::move(one));
     }
 
     const Obligation& task_;
     std::vector<Cut> cuts_;
-    Images again_;
-    std::size_t before_ = 0, depth_ = 0;
+    std::size_t before_ = 0;
+    std::size_t steps_ = 1;  // after which all circles are where they were
     std::vector<Type> types_;
     std::map<std::pair<std::size_t, Group>, std::size_t> numbers_;
     std::map<Integer, std::int64_t> sums_;
+    std::vector<Stream> streams_;
 };
 
 /// The number `of`, once, and nothing else.

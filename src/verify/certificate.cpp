@@ -370,6 +370,28 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
                 std::make_shared<const Formula>(read_formula(field.at("first order")));
         return read;
     }
+    if (field.has("circular")) {
+        field.only({"circular"});
+        read.kind = Kind::circular;
+        read.systems = {named_system(field.at("circular"))};
+        return read;
+    }
+    if (field.has("critical exponent")) {
+        field.only({"critical exponent", "compared", "system", "coding"});
+        read.kind = Kind::critical_exponent;
+        read.systems = {named_system(field.at("system"))};
+        read.number =
+            std::make_shared<const RealRoot>(read_real_root(field.at("critical exponent")));
+        const Field compared = field.at("compared");
+        read.family = compared.text();
+        static constexpr std::array comparisons = {"=", "!=", "<", "<=", ">", ">="};
+        if (!std::count(comparisons.begin(), comparisons.end(), read.family))
+            compared.fail("numbers are not compared by '" + read.family + "'");
+        if (field.has("coding"))
+            for (const auto& [name, image] : field.at("coding").object())
+                read.coding[symbol(image, name)] = image.text();
+        return read;
+    }
     if (field.has("increasing")) {
         field.only({"increasing", "strictly"});
         read.kind = Kind::increasing;
@@ -391,6 +413,27 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
             field.at("degree").fail("only polynomial growth has a degree");
         read.size = field.at("degree").integer();
     }
+    return read;
+}
+
+RealRoot read_real_root(const Field& field) {
+    constexpr std::size_t most_terms = 40;
+    field.only({"polynomial", "root"});
+    std::vector<Integer> coefficients;
+    const std::vector<Field> terms = field.at("polynomial").list();
+    for (const Field& one : terms) coefficients.push_back(one.integer(true));
+    if (coefficients.size() < 2 || coefficients.size() > most_terms || !(coefficients.back() > 0))
+        field.fail("expected a polynomial of a degree from 1 to 39, its last coefficient above 0");
+    RealRoot read{Polynomial(std::move(coefficients)),
+                  static_cast<std::size_t>(field.at("root").number())};
+    const Factorisation factors = factorise(read.polynomial);
+    if (factors.content != 1 || factors.powers.size() != 1 || factors.powers[0].exponent != 1)
+        field.fail("expected an irreducible polynomial");
+    std::size_t real = 0;
+    for (const Root& one : roots(read.polynomial, 64)) real += one.is_real;
+    if (read.root >= real)
+        field.at("root").fail("expected a number below that of the real roots, " +
+                              std::to_string(real));
     return read;
 }
 
@@ -861,6 +904,14 @@ std::string quantified_text(const Statement& statement, const Alphabet& alphabet
     return text + ": " + plain_text(body, alphabet, body.negated);
 }
 
+/// "3", or "real root 1 of 2 of x^2 - 5x + 5".
+std::string real_root_text(const RealRoot& number) {
+    const Polynomial& polynomial = number.polynomial;
+    if (polynomial.degree() == 1)
+        return to_string(Rational(-polynomial.coefficient(0), polynomial.coefficient(1)));
+    return "real root " + std::to_string(number.root + 1) + " of " + to_string(polynomial);
+}
+
 std::string joint_text(const Statement& statement, const Alphabet& alphabet) {
     const std::string between = statement.family == "all of"   ? " and "
                                 : statement.family == "any of" ? " or "
@@ -945,6 +996,11 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         case Kind::first_order:
         case Kind::counts:
             return (opposite ? "not: " : "") + formula_text(statement, alphabet);
+        case Kind::critical_exponent:
+            return (opposite ? "not: " : "") + std::string("the critical exponent of ") +
+                   system(0) + " " + statement.family + " " + real_root_text(*statement.number);
+        case Kind::circular:
+            return system(0) + " is " + no + "circular";
         case Kind::joint:
             return (opposite ? "not: " : "") + joint_text(statement, alphabet);
         case Kind::quantified:

@@ -390,6 +390,12 @@ struct CountedPlaces {
     Integer slope = 0, plus = 0, from = 0;
 };
 
+/// One of the real roots of an irreducible polynomial, by its place among them in increasing order.
+struct RealRoot {
+    Polynomial polynomial;
+    std::size_t root = 0;
+};
+
 /// A statement, without any "not" in front of it.
 struct Statement {
     enum class Kind {
@@ -416,6 +422,8 @@ struct Statement {
         boundary,
         first_order,
         counts,
+        critical_exponent,
+        circular,
         joint,
         quantified
     };
@@ -445,6 +453,7 @@ struct Statement {
     std::shared_ptr<const Quantified> quantified;
     std::shared_ptr<const Formula> first_order;
     std::shared_ptr<const CountedPlaces> counted;
+    std::shared_ptr<const RealRoot> number;  // that a critical exponent is compared with
     std::map<Symbol, std::string>
         coding;  // what letters of its word are called, if not their names
 };

@@ -58,8 +58,10 @@ TEST_CASE("numbers of the numeration of Dumont and Thomas are those of the lette
 }
 
 TEST_CASE("statements with bounded quantifiers say of numbers what prefixes say") {
-    std::size_t formulas = 0, large = 0, tuples = 0, true_ones = 0;
+    std::size_t formulas = 0, large = 0, tuples = 0, true_ones = 0, far = 0, true_far_ones = 0;
     const std::vector<std::string> names{"i", "n"};
+    // By how deep quantifiers are: numbers for which the prefix still has all letters, and the quantifiers are gone through in time.
+    constexpr int most[] = {15'000, 2'000, 60, 15};
     for (const KnownWord& one : words()) {
         CAPTURE(one.name);
         const AutomaticWord word = one.word();
@@ -78,25 +80,33 @@ TEST_CASE("statements with bounded quantifiers say of numbers what prefixes say"
                 ++large;
                 return;
             }
+            const auto compared = [&](int i, int n) {
+                std::vector<Integer> numbers;
+                for (const std::string& name : statement.free())
+                    numbers.emplace_back(name == "i" ? i : n);
+                const bool said = formula.says({{"i", i}, {"n", n}});
+                RC_ASSERT(contains(found.relation, word.numeration, numbers) == said);
+                return said;
+            };
             for (int i = 0; i < 8; ++i)
-                for (int n = 0; n < 8; ++n) {
-                    std::vector<Integer> numbers;
-                    for (const std::string& name : statement.free())
-                        numbers.emplace_back(name == "i" ? i : n);
-                    const bool said = formula.says({{"i", i}, {"n", n}});
-                    RC_ASSERT(contains(found.relation, word.numeration, numbers) == said);
-                    ++tuples;
-                    true_ones += said;
-                }
+                for (int n = 0; n < 8; ++n, ++tuples) true_ones += compared(i, n);
+            for (int k = 0; k < 6; ++k, ++far) {
+                const int below = most[std::min(formula.deep, 3)];
+                true_far_ones += compared(*rc::gen::inRange(0, below), *rc::gen::inRange(0, below));
+            }
             ++formulas;
         }));
     }
     MESSAGE(formulas << " formulas, " << large << " with large automata left out, " << tuples
-                     << " tuples, " << true_ones << " of them hold");
+                     << " tuples, " << true_ones << " of them hold; " << far
+                     << " tuples of greater numbers, " << true_far_ones << " of them hold");
     CHECK(formulas + large == 100 * words().size());
     CHECK(formulas >= 90 * words().size());
     CHECK(true_ones > tuples / 10);
     CHECK(true_ones < tuples - tuples / 10);
+    CHECK(far == 6 * formulas);
+    CHECK(true_far_ones > far / 10);
+    CHECK(true_far_ones < far - far / 10);
 }
 
 TEST_CASE("known results on repetitions, reversal and recurrence") {

@@ -2,6 +2,7 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
@@ -16,6 +17,7 @@ struct Formula {
     using Values = std::map<std::string, int>;
     std::string text;
     std::function<bool(const Values&)> says;
+    int deep = 0;  // quantifiers inside each other
 };
 
 struct Term {
@@ -89,7 +91,7 @@ inline Formula random_formula(const std::string& prefix, std::vector<std::string
     if (kind == 5) {
         const Formula inner = random_formula(prefix, names, depth - 1);
         return {"not (" + inner.text + ")",
-                [=](const Formula::Values& v) { return !inner.says(v); }};
+                [=](const Formula::Values& v) { return !inner.says(v); }, inner.deep};
     }
     if (kind <= 8) {
         const Formula one = random_formula(prefix, names, depth - 1),
@@ -109,7 +111,8 @@ inline Formula random_formula(const std::string& prefix, std::vector<std::string
                         default:
                             return l == r;
                     }
-                }};
+                },
+                std::max(one.deep, other.deep)};
     }
     const std::string of = *rc::gen::elementOf(names);
     const int more = *rc::gen::inRange(0, 3);
@@ -126,7 +129,8 @@ inline Formula random_formula(const std::string& prefix, std::vector<std::string
             for (values[name] = 0; values[name] < bound.value(v); ++values[name])
                 if (inner.says(values) != all) return !all;
             return all;
-        }};
+        },
+        inner.deep + 1};
 }
 
 }  // namespace algae

@@ -161,9 +161,13 @@ TEST_CASE("words proves complexities for all lengths") {
     CHECK(thue["factor_complexity"]["differences"] == nlohmann::json::parse("[1, 2, 4]"));
     CHECK(json_of("'a -> abbb, b -> a' --to 2")["not_proved"].get<std::string>().find(
               "addition is not known") == 0);
-    const auto late = json_of("'a -> abac, b -> bb, c -> cbc' --to 2")["not_proved"];
+    const auto powers = json_of("'a -> abac, b -> bb, c -> cbc' --to 2");
+    CHECK(powers["critical_exponent"] == "infinite");
+    CHECK(powers["not_proved"].get<std::string>().find("addition is not known") == 0);
+    const auto late = json_of("'a -> abc, b -> ca, c -> b' --to 2")["not_proved"];
     CHECK(late.get<std::string>().find("critical exponent by return words: ") == 0);
-    CHECK(late.get<std::string>().find("; addition is not known") != std::string::npos);
+    CHECK(late.get<std::string>().find("; the automata are large, --prove goes on with them: ") !=
+          std::string::npos);
     CHECK(run("words 'a -> abbb, b -> a' --to 2 --prove").status == 2);
 }
 
@@ -220,4 +224,48 @@ TEST_CASE("words keeps what it found at the end of the time") {
     const auto found = nlohmann::json::parse(late.out);
     CHECK(found["to"] < 100'000);
     CHECK(found["factor_complexity"]["values"][8] == 17);
+}
+
+TEST_CASE("words gives automata and counts to other programs, and says what these are for") {
+    const std::string squares = "words thue-morse --say 'n >= 1 and for some i: equal(i, i+n, n)'";
+    CHECK(run(squares + " --as walnut").out.starts_with("msd_2\n\n0 0\n"));
+    CHECK(run(squares + " --as gv").out.starts_with("digraph {"));
+    CHECK(run(squares + " --as sage").out.starts_with("Automaton([(0, 0, 0), "));
+    CHECK(run(squares).out.find("as digits               0*1(") != std::string::npos);
+    const std::string count = "words thue-morse --say 'T[i] = 1 and i < n' --count n";
+    CHECK(run(count).out.find("number for each n       0, 0, 1, 2, 2, 3, 3, 3, 4, 5, 5, 5, ...") !=
+          std::string::npos);
+    CHECK(run(count + " --as sage").out.starts_with("begin = vector(ZZ, ["));
+    const auto json = nlohmann::json::parse(run(count + " --json").out);
+    CHECK(json["count"]["of"] == "n");
+    CHECK(json["count"]["values"][11] == 5);
+    const Scratch files;
+    const std::string folder = files.file("walnut");
+    const Run written = run("words narayana --walnut " + folder);
+    CHECK(written.status == 0);
+    CHECK(written.out == folder + "/Custom Bases/msd_dtnarayana.txt\n" + folder +
+                             "/Custom Bases/msd_dtnarayana_addition.txt\n" + folder +
+                             "/Word Automata Library/Narayana.txt\n");
+    // The word comes back as a system where Walnut has its number system.
+    REQUIRE(run("words thue-morse --walnut " + folder).status == 0);
+    CHECK(json_of("'" + folder +
+                  "/Word Automata Library/Thuemorse.txt' --to 5")["factor_complexity"]["values"] ==
+          std::vector<int>{1, 2, 4, 6, 10, 12});
+    const auto refused = [](const std::string& arguments, const std::string& message) {
+        const Run found = run("words " + arguments);
+        INFO(found.err);
+        CHECK(found.status == 2);
+        CHECK(found.err.find(message) != std::string::npos);
+    };
+    refused("fibonacci --as walnut", "--as is for the numbers that make a statement true");
+    refused("fibonacci --count n", "--count is for the numbers that make a statement true");
+    refused("fibonacci --say 'i < n' --count k",
+            "--count: expected a number that no quantifier binds, one of i, n, found 'k'");
+    refused("fibonacci --say 'n < 3' --count n", "of which one is counted, found 1");
+    refused("fibonacci --say 'i > n' --count n", "infinitely many");
+    refused("fibonacci --say 'for some n: n = n' --as gv", "has no automaton");
+    refused("fibonacci --say 'n < 3' --as gv --json", "give one of them");
+    refused("fibonacci --say 'n < 3' --walnut " + folder, "prints the automaton of a statement");
+    refused("abaab --as gv", "and one finite word is given");
+    refused("fibonacci --say 'n < 3' --as hoa", "--as");
 }

@@ -189,7 +189,8 @@ TEST_CASE("statements about infinite words and their factors") {
         return claim_messages(names + "show " + text);
     };
     const std::string properties =
-        "balanced, 7/3-power-free, 7/3+-power-free, square-free, overlap-free, cube-free, "
+        "balanced, circular, 7/3-power-free, 7/3+-power-free, square-free, overlap-free, "
+        "cube-free, "
         "aperiodic, recurrent, uniformly recurrent, closed under reversal or rich";
     CHECK(told("f is overlap-fee") ==
           "6:11: expected a property of the infinite word of f (" + properties +
@@ -207,6 +208,25 @@ TEST_CASE("statements about infinite words and their factors") {
                                              "'7/3-power-free'?; of its language, write L(f)");
     CHECK(told("g is balanced") ==
           "6:11: 'balanced' is said of words over two letters, and g has 3");
+    CHECK(told("N is circular") ==
+          "6:6: expected a D0L system, whose words may begin one infinite word, found 'N'");
+    CHECK(told("critical_exponent(A) = 2") == "6:24: expected a system, found 'A', a language");
+    CHECK(told("critical_exponent f = 2") ==
+          "6:24: expected '(' after 'critical_exponent', found 'f'");
+    CHECK(told("critical_exponent() = 2") == "6:24: expected the name of a system, found ')'");
+    CHECK(told("critical_exponent(f = 2") == "6:26: expected ')', found '='");
+    CHECK(told("critical_exponent(f) ~ 2") ==
+          "6:27: expected '=', '!=', '<', '<=', '>' or '>=', found '~'");
+    CHECK(told("critical_exponent(f) =") ==
+          "6:28: expected a number, 'sqrt' or '(', found the end of the line");
+    CHECK(told("critical_exponent(f) < 2 sqrt 3") ==
+          "6:31: expected an operator or the end of the statement, found 'sqrt'");
+    CHECK(told("critical_exponent(f) < sqrt 2 + sqrt 3") ==
+          "6:36: expected roots of one number, found roots of 2 and 3");
+    CHECK(told("critical_exponent(f) < the largest real root of x^2 + 1") ==
+          "6:29: expected a polynomial with a real root, found x^2 + 1");
+    CHECK(told("critical_exponent(f) < the largest real root of 3") ==
+          "6:54: expected a polynomial in x, found 3");
     CHECK(told("ab in factors(A)") == "6:20: expected a system, found 'A', a language");
     CHECK(told("ab in factors(f") == "6:21: expected ')', found the end of the line");
     CHECK(told("complexity(f, n) > n") == "6:23: expected '+', '-', '=' or '!=', found '>'");

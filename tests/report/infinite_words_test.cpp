@@ -245,7 +245,8 @@ private:
         ++(compared > 0 && missing == 0 ? counts["recurrence function"].systems
                                         : counts["recurrence function"].open);
         Count& count = counts["return words"];
-        if (found.size() < 2 || found[1] > longest) {
+        // A word of 40 letters to the next b is in no window with that b.
+        if (found.size() < 2 || found[1] >= longest) {
             ++count.open;
             return;
         }

@@ -78,12 +78,11 @@ TEST_CASE("numbers of factors: by bispecial factors") {
         CHECK(found(made).outcome == Outcome::checked);
     }
     // The lengths do not follow the recurrence of a Pisot number, so addition is not regular. Multiplicities 1 and -1 of arbitrarily great lengths cancel
-    // each other in other words of return words, which is proved and not checked.
+    // each other in other words of return words.
     const Json cancelled = certificate_of(oracle::Rules{{'a', "ab"}, {'b', "acc"}, {'c', "cbb"}},
                                           "for all n with n >= 4: complexity(T, n) = 7n - 8");
     CHECK(proof_kind(cancelled) == "bispecial");
-    CHECK(found(cancelled).outcome == Outcome::not_checked);
-    CHECK(found(cancelled).reason == "sums for arbitrarily great lengths are not judged");
+    CHECK(found(cancelled).outcome == Outcome::checked);
     // What is not linear, and what is false, is left to automata.
     CHECK(proof_kind(certificate_of(fibonacci, "complexity(T, n) = n + 2")) == "automata");
     CHECK(proof_kind(certificate_of(fibonacci, "complexity(T, 2n) = 2n + 1")) == "automata");
@@ -178,6 +177,6 @@ TEST_CASE(
             " changed ones refused");
     CHECK(linear_ones >= 40);
     CHECK(with_sums >= 5);
-    CHECK(checked * 10 >= linear_ones * 9);
+    CHECK(checked == linear_ones);
     CHECK(changed == 2 * linear_ones);
 }

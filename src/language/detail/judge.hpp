@@ -231,6 +231,13 @@ Answer judge_counts(const CountsInWord& said, const Alphabet& alphabet, const Bu
 Answer judge_infinite_word(const HoldsInWord& said, const Alphabet& alphabet,
                            const Budget& budget = {});
 
+/// How the critical exponent of an infinite word compares with a number. Throws Error where there is no such word.
+Answer judge_critical_exponent(const HasCriticalExponent& said, const Alphabet& alphabet,
+                               const Budget& budget);
+
+/// Whether a D0L system is circular. Undecided where its morphism is not injective and short windows do not show it.
+Answer judge_circular(const IsCircular& said, const Budget& budget);
+
 // --- Judges of statements made of others ---
 
 /// `decide` for a part of a statement, of an instance for example: it is undecided where a bound of steps or memory is

@@ -302,6 +302,30 @@ struct ByBispecialFactors {
     Integer slope, constant, from;  // p(n) = slope n + constant for n >= from
 };
 
+/// The critical exponent of the infinite word of a system, by the repetitions of the words that are derived of it by returns.
+struct ByRepetitions {
+    static constexpr const char* rule = "repetitions";
+    std::string system;
+    ClaimedNumber exponent;
+    std::optional<std::pair<Integer, Integer>> factor;  // length and period, if one has it
+};
+
+/// The critical exponent is infinite and, if the morphism maps different letters to different words, the system is not circular: all powers
+/// of a word are factors, for an image of it under a power of the morphism is a power of a conjugate of it.
+struct RepeatsForEver {
+    static constexpr const char* rule = "repetition";
+    std::string system;
+    Word word;  // empty where its letters do not grow
+    std::uint64_t power = 1;
+};
+
+/// All factors of more than `delay` letters have a place where each word whose image they stand in is cut.
+struct Synchronised {
+    static constexpr const char* rule = "windows";
+    std::string system;
+    std::size_t delay = 0;
+};
+
 struct Falls {
     std::string system;
     std::uint64_t generation = 0;
@@ -902,11 +926,12 @@ struct Proof {
         steps::SameSequence, steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth,
         steps::ComparedNumbers, steps::ByRecurrences, steps::StaysPositive, steps::Grows,
         steps::Rises, steps::RisesByLetters, steps::Falls, steps::ByAutomata,
-        steps::ByBispecialFactors, steps::ComparedWords, steps::ByMorphism, steps::LimitSet,
-        steps::Identical, steps::SameValues, steps::ValuesWithin, steps::OtherValues,
-        steps::SameAutomata, steps::NothingOutside, steps::Distinguished, steps::SameDeterministic,
-        steps::WithinRegular, steps::ByInduction, steps::SamePowers, steps::Invariant,
-        steps::BothInclusions, steps::LinearSystems, steps::ByFacts, steps::Counted, steps::NoWord,
+        steps::ByBispecialFactors, steps::ByRepetitions, steps::RepeatsForEver, steps::Synchronised,
+        steps::ComparedWords, steps::ByMorphism, steps::LimitSet, steps::Identical,
+        steps::SameValues, steps::ValuesWithin, steps::OtherValues, steps::SameAutomata,
+        steps::NothingOutside, steps::Distinguished, steps::SameDeterministic, steps::WithinRegular,
+        steps::ByInduction, steps::SamePowers, steps::Invariant, steps::BothInclusions,
+        steps::LinearSystems, steps::ByFacts, steps::Counted, steps::NoWord,
         steps::FiniteConstruction, steps::FoundWord, steps::Disjoint, steps::NoTerminals,
         steps::InfiniteRound, steps::Measured, steps::InfiniteTables, steps::Pumped,
         steps::LongerPowers, steps::InfinitePart, steps::InfiniteSize, steps::HasForm,

@@ -191,6 +191,10 @@ Language parse_powers(std::string_view inside, ClaimReading& reading);
 /// decimal number behind a `=` is what comes before it, rounded. Throws `SyntaxError`.
 DimensionValue parse_dimension_value(const char*& here, const char* end);
 
+/// A real algebraic number at the place: `7/2`, `2 + (1+sqrt(5))/2`, or `the largest real root of 2x^3 - 12x^2 + 22x - 13`. Throws
+/// `SyntaxError`.
+ClaimedNumber parse_claimed_number(const char*& here, const char* end);
+
 /// The number of these digits, of which there are at most a thousand. Throws `SyntaxError`.
 Integer natural_number(std::string_view digits);
 
@@ -212,6 +216,8 @@ Statement parse_first_order(std::string_view system, std::string_view text, Clai
 /// Reads `f is overlap-free`, a property of the infinite word of a system; false if the text is no property of a system. Throws
 /// as the others.
 bool parse_word_property(std::string_view text, Statement& statement, ClaimReading& reading);
+/// Reads `critical_exponent(f) < 4`; false if it is no such statement.
+bool parse_critical_exponent(std::string_view text, Statement& statement, ClaimReading& reading);
 /// Reads `abba in factors(G)`: some word of the language of G has the factor; false if it is no such statement.
 bool parse_factor(std::string_view text, Statement& statement, ClaimReading& reading);
 /// Reads `complexity(f, 2n + 1) = 2 complexity(f, n + 1)` for all n, and with `for all n with n >= 1:` before it; false if it is no such

@@ -268,6 +268,8 @@ void check_counts(const Obligation& task);
 Formula read_formula(const Field& field);
 /// A sum of numbers of places. Throws Error if it is none.
 CountedPlaces read_counts(const Field& field);
+/// A root of an irreducible polynomial. Throws Error if it is none.
+RealRoot read_real_root(const Field& field);
 /// The same as text, with its word.
 std::string formula_text(const Statement& statement, const Alphabet& alphabet);
 /// Statements made of others, and quantified ones.

@@ -1,11 +1,10 @@
-// What the engine of a static page (tools/engine) has in place of parts of the command that it leaves out: verbs that the page does not
-// ask, the formats of other programs, the server itself, and bounds of memory, which WebAssembly sets.
+// What both engines of a static page (tools/engine) have in place of parts of the command that they leave out: verbs that the page does
+// not ask, the formats of other programs, the server itself, and bounds of memory, which WebAssembly sets.
 
 #include "command/detail/memory.hpp"
 #include "command/detail/verb.hpp"
 #include "exchange/exchange.hpp"
-#include "language/language.hpp"
-#include "lesson/lesson.hpp"
+#include "growth/growth.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
@@ -21,22 +20,9 @@ namespace {
 
 }  // namespace
 
-// Texts that come with the command, beside those of systems.
+// Texts that come with the command and that no question of the page needs.
 std::span<const GalleryEntry> generator_gallery() { return {}; }
-std::span<const GalleryEntry> theory_claims() { return {}; }
-std::vector<Lesson> lessons() { return {}; }
-
-// Claims and languages.
-Claim read_claim(std::string_view, const std::string&, const SystemSource&,
-                 const std::vector<std::string>&) {
-    refuse("a claim");
-}
-Answer decide(const Statement&, const Claim&, const Budget&, const SearchLimits&) {
-    refuse("a claim");
-}
-std::vector<std::string> sentences(const Answer&, const Alphabet&) { refuse("a claim"); }
-Language generated_language(std::shared_ptr<const SourceSystem>) { refuse("a language"); }
-ContextGrowth context_growth(const IL&, const Budget&) { refuse("growth with context"); }
+std::span<const GalleryEntry> lesson_code() { return {}; }
 
 // Files of other programs.
 std::vector<Conversion> conversions() { return {}; }
@@ -84,21 +70,11 @@ namespace algae::command {
 void bound_memory(std::uint64_t) {}
 bool is_memory_used_up() { return false; }
 
-void add_member(Verbs&) {}
-void add_finite(Verbs&) {}
-void add_equal(Verbs&) {}
-void add_is(Verbs&) {}
-void add_list(Verbs&) {}
-void add_check(Verbs&) {}
-void add_verify(Verbs&) {}
-void add_lesson(Verbs&) {}
-void add_lsp(Verbs&) {}
 void add_words(Verbs&) {}
 void add_infer(Verbs&) {}
 void add_closure(Verbs&) {}
 void add_census(Verbs&) {}
 void add_draw(Verbs&) {}
-void add_dimension(Verbs&) {}
 void add_tree(Verbs&) {}
 void add_figures(Verbs&) {}
 void add_generators(Verbs&) {}

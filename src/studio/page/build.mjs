@@ -1,7 +1,7 @@
 // Makes one file of the page: what it needs stands in it, and it loads nothing.
 //
 //     node build.mjs FOLDER           page.html and LICENCES.txt, as the command carries them
-//     node build.mjs FOLDER static    index.html and worker.js, which go beside the engine of tools/engine; built/program.mjs for their test
+//     node build.mjs FOLDER static    index.html and worker.js, which go beside the engines of tools/engine; built/program.mjs for their test
 import { build } from 'esbuild';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 
@@ -34,8 +34,17 @@ const page = readFileSync('src/page.html', 'utf8')
   .replace('/* script */', () => script);
 mkdirSync(target, { recursive: true });
 if (isStatic) {
-  // The same page, which asks a Worker; and the engine's side of it for the page and, as a module, for its test in node.
-  writeFileSync(`${target}/index.html`, page.replace('<html lang="en">', '<html lang="en" data-engine="static">'));
+  // The same page, which asks a Worker; and the engine's side of it for the page and, as a module, for its test in node. The engine of figures
+  // comes and is compiled while the page's script is still read.
+  const early = `<script>
+var algaeEarly = { module: fetch('engine.wasm').then((found) => {
+  if (!found.ok) throw new Error(found.statusText);
+  return found.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(found) : found.arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
+}), worker: new Worker('worker.js') };
+algaeEarly.module.catch(() => undefined);
+</script>
+`;
+  writeFileSync(`${target}/index.html`, page.replace('<html lang="en">', '<html lang="en" data-engine="static">').replace('<style>', () => `${early}<style>`));
   const side = { bundle: true, minify: true, charset: 'utf8', target: 'es2022', legalComments: 'none' };
   await build({ ...side, entryPoints: ['src/worker.ts'], format: 'iife', outfile: `${target}/worker.js` });
   await build({ ...side, entryPoints: ['src/program.ts'], format: 'esm', outfile: 'built/program.mjs' });

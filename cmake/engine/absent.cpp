@@ -23,6 +23,8 @@ namespace {
 // Texts that come with the command and that no question of the page needs.
 std::span<const GalleryEntry> generator_gallery() { return {}; }
 std::span<const GalleryEntry> lesson_code() { return {}; }
+std::span<const GalleryEntry> formal_texts() { return {}; }
+std::vector<EditorFile> editor_files() { return {}; }
 
 // Files of other programs.
 std::vector<Conversion> conversions() { return {}; }

@@ -40,16 +40,12 @@ const SystemFormat* system_format(std::string_view) { return nullptr; }
 const SystemFormat* system_format_of(std::string_view) { return nullptr; }
 const GeneratorFormat* generator_format(std::string_view) { return nullptr; }
 std::pair<std::string, std::string> file_and_entry(const std::string& name) { return {name, ""}; }
-std::string cpfg_with_included(std::string_view text, const std::string&, const IncludedText&) {
-    return std::string(text);
+bool is_below(const std::string&, const std::string&) { return false; }
+std::string text_with_included(const std::string& path, const FileText& text_of) {
+    return text_of(path);
 }
-CpfgFiles cpfg_files(std::string_view, const std::string&) { refuse("a file of cpfg"); }
-Model with_cpfg_view(const Model&, std::string_view, const std::string&) {
-    refuse("a file of cpfg");
-}
-std::pair<std::uint64_t, std::uint64_t> cpfg_frames(std::string_view, const std::string&) {
-    refuse("a file of cpfg");
-}
+std::optional<CpfgFiles> cpfg_files_at(const std::string&, const FileText&) { return {}; }
+Model cpfg_model(const CpfgFiles&, const FileText&) { refuse("a file of cpfg"); }
 
 // Plots as files: the page draws its own.
 Plot growth_plot(const D0L&, std::uint64_t, std::uint64_t, const Budget&) { refuse("a plot"); }

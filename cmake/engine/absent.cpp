@@ -2,6 +2,7 @@
 // not ask, the formats of other programs, the server itself, and bounds of memory, which WebAssembly sets.
 
 #include "command/detail/memory.hpp"
+#include "command/detail/pictures.hpp"
 #include "command/detail/verb.hpp"
 #include "exchange/exchange.hpp"
 #include "growth/growth.hpp"
@@ -47,7 +48,8 @@ std::string text_with_included(const std::string& path, const FileText& text_of)
 std::optional<CpfgFiles> cpfg_files_at(const std::string&, const FileText&) { return {}; }
 Model cpfg_model(const CpfgFiles&, const FileText&) { refuse("a file of cpfg"); }
 
-// Plots as files: the page draws its own.
+// Pictures as input, and plots as files: the page draws its own.
+bool is_png(std::string_view) { return false; }
 Plot growth_plot(const D0L&, std::uint64_t, std::uint64_t, const Budget&) { refuse("a plot"); }
 void draw_plot(const Plot&, const std::string&, const Budget&) { refuse("a plot"); }
 
@@ -64,6 +66,9 @@ std::vector<Answered> answer_apart(const std::vector<std::string>&,
 }  // namespace algae
 
 namespace algae::command {
+
+// A note on standard error, which the page does not show beside an answer.
+void note_rounding(const Model&, std::uint64_t, const std::string&) {}
 
 void bound_memory(std::uint64_t) {}
 bool is_memory_used_up() { return false; }

@@ -496,7 +496,7 @@ try {
   await page.getByRole('searchbox').fill('plant');
   await page.locator('.card img').nth(3).waitFor();
   await picture('gallery');
-  await page.locator('.card').first().click();
+  await page.locator('.card:has([data-name="plant-f"])').click();
   await settled();
   includes(await panel(), 'segments', 'a figure of the gallery is drawn');
 

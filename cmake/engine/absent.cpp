@@ -1,11 +1,11 @@
-// What the engine of a static page (tools/engine) has in place of parts of the command that it leaves out: verbs that the page does not
-// ask, the formats of other programs, the server itself, and bounds of memory, which WebAssembly sets.
+// What both engines of a static page (tools/engine) have in place of parts of the command that they leave out: verbs that the page does
+// not ask, the formats of other programs, the server itself, and bounds of memory, which WebAssembly sets.
 
 #include "command/detail/memory.hpp"
+#include "command/detail/pictures.hpp"
 #include "command/detail/verb.hpp"
 #include "exchange/exchange.hpp"
-#include "language/language.hpp"
-#include "lesson/lesson.hpp"
+#include "growth/growth.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
@@ -21,22 +21,11 @@ namespace {
 
 }  // namespace
 
-// Texts that come with the command, beside those of systems.
+// Texts that come with the command and that no question of the page needs.
 std::span<const GalleryEntry> generator_gallery() { return {}; }
-std::span<const GalleryEntry> theory_claims() { return {}; }
-std::vector<Lesson> lessons() { return {}; }
-
-// Claims and languages.
-Claim read_claim(std::string_view, const std::string&, const SystemSource&,
-                 const std::vector<std::string>&) {
-    refuse("a claim");
-}
-Answer decide(const Statement&, const Claim&, const Budget&, const SearchLimits&) {
-    refuse("a claim");
-}
-std::vector<std::string> sentences(const Answer&, const Alphabet&) { refuse("a claim"); }
-Language generated_language(std::shared_ptr<const SourceSystem>) { refuse("a language"); }
-ContextGrowth context_growth(const IL&, const Budget&) { refuse("growth with context"); }
+std::span<const GalleryEntry> lesson_code() { return {}; }
+std::span<const GalleryEntry> formal_texts() { return {}; }
+std::vector<EditorFile> editor_files() { return {}; }
 
 // Files of other programs.
 std::vector<Conversion> conversions() { return {}; }
@@ -52,18 +41,15 @@ const SystemFormat* system_format(std::string_view) { return nullptr; }
 const SystemFormat* system_format_of(std::string_view) { return nullptr; }
 const GeneratorFormat* generator_format(std::string_view) { return nullptr; }
 std::pair<std::string, std::string> file_and_entry(const std::string& name) { return {name, ""}; }
-std::string cpfg_with_included(std::string_view text, const std::string&, const IncludedText&) {
-    return std::string(text);
+bool is_below(const std::string&, const std::string&) { return false; }
+std::string text_with_included(const std::string& path, const FileText& text_of) {
+    return text_of(path);
 }
-CpfgFiles cpfg_files(std::string_view, const std::string&) { refuse("a file of cpfg"); }
-Model with_cpfg_view(const Model&, std::string_view, const std::string&) {
-    refuse("a file of cpfg");
-}
-std::pair<std::uint64_t, std::uint64_t> cpfg_frames(std::string_view, const std::string&) {
-    refuse("a file of cpfg");
-}
+std::optional<CpfgFiles> cpfg_files_at(const std::string&, const FileText&) { return {}; }
+Model cpfg_model(const CpfgFiles&, const FileText&) { refuse("a file of cpfg"); }
 
-// Plots as files: the page draws its own.
+// Pictures as input, and plots as files: the page draws its own.
+bool is_png(std::string_view) { return false; }
 Plot growth_plot(const D0L&, std::uint64_t, std::uint64_t, const Budget&) { refuse("a plot"); }
 void draw_plot(const Plot&, const std::string&, const Budget&) { refuse("a plot"); }
 
@@ -81,24 +67,17 @@ std::vector<Answered> answer_apart(const std::vector<std::string>&,
 
 namespace algae::command {
 
+// A note on standard error, which the page does not show beside an answer.
+void note_rounding(const Model&, std::uint64_t, const std::string&) {}
+
 void bound_memory(std::uint64_t) {}
 bool is_memory_used_up() { return false; }
 
-void add_member(Verbs&) {}
-void add_finite(Verbs&) {}
-void add_equal(Verbs&) {}
-void add_is(Verbs&) {}
-void add_list(Verbs&) {}
-void add_check(Verbs&) {}
-void add_verify(Verbs&) {}
-void add_lesson(Verbs&) {}
-void add_lsp(Verbs&) {}
 void add_words(Verbs&) {}
 void add_infer(Verbs&) {}
 void add_closure(Verbs&) {}
 void add_census(Verbs&) {}
 void add_draw(Verbs&) {}
-void add_dimension(Verbs&) {}
 void add_tree(Verbs&) {}
 void add_figures(Verbs&) {}
 void add_generators(Verbs&) {}

@@ -22,6 +22,7 @@
 #include <thread>
 
 #include "command/detail/files.hpp"
+#include "command/detail/marking.hpp"
 #include "command/detail/memory.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
@@ -33,6 +34,32 @@
 #include "studio/studio.hpp"
 
 namespace algae::command {
+
+Json as_json(const Exercise& exercise) {
+    Json json{{"exercise", exercise.label()}, {"title", exercise.title}};
+    if (!exercise.source.empty()) json.set("source", exercise.source);
+    json.set("task", exercise.task);
+    json.set("ending", exercise.ending());
+    return json;
+}
+
+Json as_json(const Exercise& exercise, const Mark& marked) {
+    Json statements = Json::array();
+    for (const MarkedDemand& demand : marked.demands) {
+        Json entry{{"text", demand.text},
+                   {"verdict", to_string(demand.judgement.truth)},
+                   {"argument", demand.judgement.argument}};
+        if (demand.judgement.truth == Truth::refuted && !demand.hint.empty())
+            entry.set("hint", demand.hint);
+        statements.add(std::move(entry));
+    }
+    return {{"exercise", exercise.label()},
+            {"title", exercise.title},
+            {"verdict", marked.verdict == Truth::proved    ? "right"
+                        : marked.verdict == Truth::refuted ? "wrong"
+                                                           : "undecided"},
+            {"statements", std::move(statements)}};
+}
 
 namespace {
 
@@ -47,14 +74,7 @@ struct Options {
     Bounds bounds;
 };
 
-Json as_json(const Exercise& exercise) {
-    Json json{{"exercise", exercise.label()}, {"title", exercise.title}};
-    if (!exercise.source.empty()) json.set("source", exercise.source);
-    json.set("task", exercise.task);
-    return json;
-}
-
-Json as_json(const Lesson& lesson) {
+Json lesson_json(const Lesson& lesson) {
     Json exercises = Json::array();
     for (const Exercise& exercise : lesson.exercises) exercises.add(as_json(exercise));
     return {{"lesson", lesson.number},
@@ -67,7 +87,7 @@ int list_lessons(const Options& options) {
     Json all = Json::array();
     std::string text;
     for (const Lesson& lesson : lessons()) {
-        all.add(as_json(lesson));
+        all.add(lesson_json(lesson));
         text += fmt::format("{:>2}  {}\n", lesson.number, lesson.title);
         for (const Exercise& exercise : lesson.exercises)
             text += fmt::format("      {:<5} {}{}\n", exercise.label(), exercise.title,
@@ -94,24 +114,6 @@ const Exercise& chosen_exercise(const Options& options, const Lesson& lesson) {
         if (exercise.number == number) return exercise;
     throw Error("lesson " + std::to_string(lesson.number) + " has the exercises 1 to " +
                 std::to_string(lesson.exercises.size()) + ", found " + std::to_string(number));
-}
-
-Json as_json(const Exercise& exercise, const Mark& marked) {
-    Json statements = Json::array();
-    for (const MarkedDemand& demand : marked.demands) {
-        Json entry{{"text", demand.text},
-                   {"verdict", to_string(demand.judgement.truth)},
-                   {"argument", demand.judgement.argument}};
-        if (demand.judgement.truth == Truth::refuted && !demand.hint.empty())
-            entry.set("hint", demand.hint);
-        statements.add(std::move(entry));
-    }
-    return {{"exercise", exercise.label()},
-            {"title", exercise.title},
-            {"verdict", marked.verdict == Truth::proved    ? "right"
-                        : marked.verdict == Truth::refuted ? "wrong"
-                                                           : "undecided"},
-            {"statements", std::move(statements)}};
 }
 
 /// Systems beside the answer; for an exercise of one's own those beside it come first.
@@ -417,7 +419,7 @@ int lesson(const Options& options) {
     if (!options.answer.empty())
         throw Error("expected --exercise before the answer, found " + options.answer);
     if (!options.out.empty()) return write_files(options, chosen);
-    print(options.json ? as_json(chosen).text() : lesson_text(chosen));
+    print(options.json ? lesson_json(chosen).text() : lesson_text(chosen));
     return success;
 }
 

@@ -23,6 +23,7 @@
 #include <thread>
 
 #include "command/detail/files.hpp"
+#include "command/detail/marking.hpp"
 #include "command/detail/memory.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
@@ -78,6 +79,7 @@ public:
         if (!found->is_number_unsigned()) refuse(name, "a whole number from 0 on");
         return found->get<std::uint64_t>();
     }
+    bool has(const char* name) const { return said_.contains(name); }
     bool flag(const char* name) const {
         const auto found = said_.find(name);
         if (found == said_.end()) return false;
@@ -221,6 +223,12 @@ std::uint64_t generation_of(const Question& question, const Model& system) {
 
 // The questions. Each writes its answer to standard output and returns an exit status.
 
+/// Whether a page may open a file of the folder, by the end of its name.
+bool is_document(const std::filesystem::path& file) {
+    const std::string end = file.extension().string();
+    return end == ".lsys" || end == ".claim" || end == ".exercise";
+}
+
 int start(const Question& question) {
     json files = json::array();
     if (!question.around.folder.empty()) {
@@ -229,9 +237,7 @@ int start(const Question& question) {
         std::error_code failed;
         for (const auto& entry :
              std::filesystem::directory_iterator(question.around.folder, failed)) {
-            const std::string end = entry.path().extension().string();
-            if ((end == ".lsys" || end == ".claim") && entry.is_regular_file(failed) &&
-                names.size() < most)
+            if (is_document(entry.path()) && entry.is_regular_file(failed) && names.size() < most)
                 names.push_back(entry.path().filename().string());
         }
         std::ranges::sort(names);
@@ -270,11 +276,12 @@ int open_source(const Question& question) {
         const auto refuse = [&] {
             throw Error(
                 algae::quoted(name) +
-                ": expected the name of a .lsys or .claim file in the folder of the studio");
+                ": expected the name of a .lsys, .claim or .exercise file in the folder of the "
+                "studio");
         };
         const std::filesystem::path path(name);
         if (question.around.folder.empty() || path.filename() != path || name.starts_with('.') ||
-            (path.extension() != ".lsys" && path.extension() != ".claim"))
+            !is_document(path))
             refuse();
         std::error_code failed;
         const auto whole = std::filesystem::canonical(question.around.folder / path, failed);
@@ -428,13 +435,23 @@ int ask_claims(const Question& question) {
     return run_verb(question, line, {"-"});
 }
 
-/// The certificate alone: what the verb prints besides goes nowhere.
+/// The certificate alone: what the verb prints besides goes nowhere. A worker writes no file, so its certificate goes to where the answer
+/// goes; the engine of a static page has files of its own, and no names for what is open.
 int ask_certificate(const Question& question) {
     give_input(question.text("text"));
     const int answer = ::dup(STDOUT_FILENO), nowhere = ::open("/dev/null", O_WRONLY);
     ::dup2(nowhere, STDOUT_FILENO);
-    return run_verb(question, {"check", "--certificate", "/dev/fd/" + std::to_string(answer)},
-                    {"-"});
+#ifdef __EMSCRIPTEN__
+    const std::string place = "/certificate";
+#else
+    const std::string place = "/dev/fd/" + std::to_string(answer);
+#endif
+    const int status = run_verb(question, {"check", "--certificate", place}, {"-"});
+    ::dup2(answer, STDOUT_FILENO);
+#ifdef __EMSCRIPTEN__
+    if (std::filesystem::exists(place)) print(file_text(place, question.budget()));
+#endif
+    return status;
 }
 
 int ask_lessons(const Question& question) {
@@ -450,10 +467,7 @@ int ask_lesson_text(const Question& question) {
         if (lesson.number != number) continue;
         json exercises = json::array();
         for (const Exercise& exercise : lesson.exercises)
-            exercises.push_back({{"number", exercise.number},
-                                 {"title", exercise.title},
-                                 {"task", exercise.task},
-                                 {"kind", static_cast<int>(exercise.kind)}});
+            exercises.push_back(json::parse(as_json(exercise).text()));
         const json out{
             {"title", lesson.title}, {"text", lesson.text}, {"exercises", std::move(exercises)}};
         print(out.dump(-1, ' ', false, json::error_handler_t::replace));
@@ -462,7 +476,30 @@ int ask_lesson_text(const Question& question) {
     throw Error("there is no lesson " + std::to_string(number));
 }
 
+/// An exercise of one's own, which the page sends as the text of its file.
+Exercise own_exercise(const Question& question) {
+    std::string name = question.text("file");
+    if (const std::size_t end = name.rfind(".exercise"); end != std::string::npos) name.resize(end);
+    const std::string text = question.text("exercise_text");
+    Exercise exercise = read_exercise(text, name);
+    check_exercise(exercise, systems_from({"."}, question.budget(), false), true);
+    return exercise;
+}
+
+int ask_exercise(const Question& question) {
+    print(as_json(own_exercise(question)).text());
+    return success;
+}
+
 int ask_mark(const Question& question) {
+    if (question.has("exercise_text")) {
+        const Exercise exercise = own_exercise(question);
+        const Mark marked =
+            mark(exercise, question.text("text"), "the answer",
+                 systems_from({"."}, question.budget(), false), question.budget());
+        print(as_json(exercise, marked).text());
+        return status_of(marked.verdict);
+    }
     give_input(question.text("text"));
     return run_verb(
         question,
@@ -498,6 +535,7 @@ constexpr Named questions[] = {{"start", start, false},
                                {"certificate", ask_certificate, false},
                                {"lessons", ask_lessons, false},
                                {"lesson", ask_lesson_text, false},
+                               {"exercise", ask_exercise, false},
                                {"mark", ask_mark, false}};
 
 int answer_json(const json& said, const Surroundings& around) {
@@ -628,7 +666,8 @@ void add_studio(Verbs& verbs) {
          "algae studio --host 0.0.0.0 --timeout 10 --max-memory 256M"},
         studio);
     verb.option("FOLDER", options.folder, "DIR",
-                "a folder whose .lsys and .claim files the page can open, and nothing else");
+                "a folder whose .lsys, .claim and .exercise files the page can open, and nothing "
+                "else");
     verb.option(
         "--host", options.host, "ADDRESS",
         "the address to serve (default 127.0.0.1, this machine alone); 0.0.0.0 for a lecture "

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <compare>
 #include <set>
+#include <tuple>
 
 #include "dimension/detail/ratio_graph.hpp"
 #include "dimension/detail/recurrent_set.hpp"
@@ -225,7 +226,10 @@ private:
         Symbol symbol;
         std::size_t arity;
         std::vector<Rational> numbers;
-        auto operator<=>(const Key&) const = default;
+        bool operator<(const Key& other) const {
+            return std::tie(symbol, arity, numbers) <
+                   std::tie(other.symbol, other.arity, other.numbers);
+        }
     };
 
     void check() const {

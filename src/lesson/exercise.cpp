@@ -268,6 +268,10 @@ std::string Exercise::label() const {
     return std::to_string(lesson) + "." + std::to_string(number);
 }
 
+std::string Exercise::ending() const {
+    return kind == Kind::system ? "lsys" : kind == Kind::claim ? "claim" : "txt";
+}
+
 Exercise read_exercise(std::string_view text, const std::string& name) {
     Exercise exercise;
     exercise.file = name + ".exercise";

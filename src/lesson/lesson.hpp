@@ -61,6 +61,8 @@ struct Exercise {
 
     /// "3.2", as people call it; of one that belongs to no lesson the file's name without folder and ending.
     std::string label() const;
+    /// How the name of a file with an answer ends: `lsys`, `claim`, or `txt`.
+    std::string ending() const;
 };
 
 /// The exercise that a text says; `name` is that of its file without the ending. One named as `03-2` is

@@ -114,13 +114,6 @@ std::string wrapped(const std::string& text) {
     return result;
 }
 
-/// How the name of an answer ends.
-std::string ending(Exercise::Kind kind) {
-    return kind == Exercise::Kind::system  ? "lsys"
-           : kind == Exercise::Kind::claim ? "claim"
-                                           : "txt";
-}
-
 std::string what_to_hand_in(const Exercise& exercise) {
     switch (exercise.kind) {
         case Exercise::Kind::system:
@@ -204,7 +197,7 @@ std::string lesson_text(const Lesson& lesson) {
     for (const Exercise& exercise : lesson.exercises) text += "\n### " + task_text(exercise);
     if (!lesson.exercises.empty())
         text += "\n`algae lesson " + std::to_string(lesson.number) + " --exercise 1 my-answer." +
-                ending(lesson.exercises.front().kind) + "` marks an answer to the first one.\n";
+                lesson.exercises.front().ending() + "` marks an answer to the first one.\n";
     return text;
 }
 

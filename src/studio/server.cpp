@@ -12,6 +12,7 @@
 // Each connection has a thread and carries one request; a client that sends a byte now and then costs a sleeping thread for as long as its
 // header is allowed to take, and nobody waits for it.
 
+#include <arpa/inet.h>
 #include <sys/random.h>
 #include <unistd.h>
 
@@ -228,6 +229,14 @@ private:
         response.set_content(why + "\n", "text/plain");
     }
 
+    /// Whether the host of an address is a number, 192.0.2.7 or [fe80::1]; a name may have all letters of one.
+    static bool is_number(std::string_view host) {
+        const bool is_long = host.size() > 2 && host.front() == '[' && host.back() == ']';
+        if (is_long) host = host.substr(1, host.size() - 2);
+        in6_addr number = {};
+        return ::inet_pton(is_long ? AF_INET6 : AF_INET, std::string(host).c_str(), &number) == 1;
+    }
+
     /// Whether a browser asked for a machine that this is.
     bool is_own_host(const std::string& host) const {
         const std::string port = ":" + std::to_string(port_);
@@ -235,8 +244,7 @@ private:
         const std::string name = host.substr(0, host.size() - port.size());
         if (studio_.host == "0.0.0.0" || studio_.host == "::")
             // Any of the machine's addresses, as numbers, or its name: other names may be made to lead here.
-            return name == own_name() || name == "localhost" ||
-                   name.find_first_not_of("0123456789.:[]abcdef") == std::string::npos;
+            return name == own_name() || name == "localhost" || is_number(name);
         return std::ranges::find(names_, name) != names_.end();
     }
 

@@ -239,3 +239,47 @@ TEST_CASE("the page's questions are answered as the verbs answer them") {
     const auto long_walk = ask("walk", koch, {{"n", 12}});
     CHECK(long_walk.head["status"] == 3);
 }
+
+TEST_CASE("exercises of one's own are shown and marked as the verb marks them") {
+    const served::Studio studio;
+    const Scratch scratch;
+    const std::string text =
+        "exercise Doubling\nsource A course\ntask Write a system that doubles.\nanswer system\n"
+        "show answer has 1 rule\nhint One letter is enough.\nshow growth(answer) = 2^n\n"
+        "hint Each letter has two successors.\n";
+    const std::string file = scratch.file("mine.exercise", text);
+    const auto ask = [&](const char* what, const std::string& exercise, const std::string& answer) {
+        return studio.ask({{"question", what},
+                           {"exercise_text", exercise},
+                           {"file", "mine.exercise"},
+                           {"text", answer}});
+    };
+    const auto shown = ask("exercise", text, "");
+    CHECK(shown.text == run("lesson --json '" + file + "'").out);
+    CHECK(shown.json()["exercise"] == "mine");
+    CHECK(shown.json()["ending"] == "lsys");
+    const auto broken = ask("exercise", "exercise One\ntsk Write a.\n", "");
+    CHECK(broken.head["status"] == 2);
+    CHECK(broken.json()["error"]["line"] == 2);
+    std::size_t compared = 0;
+    for (const auto& [answer, status] : {std::pair{"axiom a\na -> aa\n", 0},
+                                         std::pair{"axiom a\na -> aaa\n", 1},
+                                         std::pair{"axiom a\na -> ab\nb -> b\n", 1}}) {
+        INFO(answer);
+        const auto marked = ask("mark", text, answer);
+        CHECK(marked.head["status"] == status);
+        CHECK(marked.text ==
+              run("lesson --json '" + file + "' '" + scratch.file("answer.lsys", answer) + "'")
+                  .out);
+        ++compared;
+    }
+    CHECK(compared == 3);
+    const auto unreadable = ask("mark", text, "axiom\n");
+    CHECK(unreadable.head["status"] == 2);
+    CHECK(unreadable.text.find("the answer") != std::string::npos);
+    // The exercise of a page opens no file beside the studio's folder.
+    const std::string prying =
+        "exercise Prying\ntask Write a.\nanswer word\nlet G = D0L ../secret.lsys\nshow answer <= "
+        "L(G)\n";
+    CHECK(ask("mark", prying, "a\n").head["status"] == 2);
+}

@@ -115,6 +115,37 @@ TEST_CASE("a page of another origin, and a name that was made to lead here") {
               .status == 415);
 }
 
+TEST_CASE("a studio for a lecture hall is asked by the machine's names and numbers, and by no others") {
+    const Studio studio({"--host", "0.0.0.0", "--timeout", "1"});
+    REQUIRE(studio.port > 0);
+    const std::string port = ":" + std::to_string(studio.port);
+    const auto status_at = [&](const std::string& host, const std::string& token) {
+        return studio.raw("GET /" + token + "/ HTTP/1.1\r\nHost: " + host + "\r\n\r\n").status;
+    };
+    char name[256] = {};
+    REQUIRE(::gethostname(name, sizeof name - 1) == 0);
+    CHECK(studio.address == "http://" + std::string(name) + port + "/" + studio.token + "/");
+    for (const std::string& host : {std::string(name), std::string("127.0.0.1"),
+                                    std::string("192.0.2.7"), std::string("[fe80::1]")}) {
+        INFO(host);
+        CHECK(status_at(host + port, studio.token) == 200);
+        CHECK(status_at(host + port, "0123456789abcdef0123456789abcdef") == 403);
+    }
+    // Names of letters that are digits too may be made to lead here like all others.
+    for (const char* host : {"evil.example", "bad.cafe", "beef", "fe80::1", "1.2.3.4.cafe",
+                             "[evil]", "[]", "", "127.0.0.1.evil.example"}) {
+        INFO(host);
+        CHECK(status_at(host + port, studio.token) == 403);
+    }
+    const std::string body = question("describe", koch).dump();
+    CHECK(studio.post(body, "Origin: http://evil.example\r\n").status == 403);
+    CHECK(studio.post(body, "Origin: http://" + studio.host + "\r\n").status == 200);
+    // Nobody opens a file, and a question has its share of time only.
+    CHECK(studio.ask({{"question", "open"}, {"from", "folder"}, {"file", "own.lsys"}})
+              .head["status"] == 2);
+    CHECK(studio.ask(endless).head["status"] == 3);
+}
+
 TEST_CASE("path traversal") {
     const Scratch scratch;
     std::filesystem::create_directories(scratch.path() / "mine/below");
@@ -122,6 +153,8 @@ TEST_CASE("path traversal") {
     scratch.file("mine/own.lsys", "axiom o\n");
     scratch.file("mine/below/deep.lsys", "axiom d\n");
     scratch.file("mine/notes.txt", "nothing for a page");
+    scratch.file("mine/own.exercise", "exercise One\ntask Write a.\nanswer word\nshow answer == {a}\n");
+    scratch.file("secret.exercise", "exercise Two\ntask Write b.\nanswer word\nshow answer == {b}\n");
     std::filesystem::create_symlink(scratch.path() / "secret.lsys",
                                     scratch.path() / "mine/link.lsys");
     const Studio studio({(scratch.path() / "mine").string()});
@@ -136,6 +169,8 @@ TEST_CASE("path traversal") {
         return studio.ask({{"question", "open"}, {"from", "folder"}, {"file", file}});
     };
     CHECK(open("own.lsys").json()["text"] == "axiom o\n");
+    CHECK(open("own.exercise").json()["text"].get<std::string>().starts_with("exercise One"));
+    CHECK(open("../secret.exercise").head["status"] == 2);
     const std::string secret = (scratch.path() / "secret.lsys").string();
     for (const std::string& file :
          {std::string("../secret.lsys"), secret, std::string("link.lsys"),

@@ -1,9 +1,9 @@
 // Makes one file of the page: what it needs stands in it, and it loads nothing.
 //
 //     node build.mjs FOLDER           page.html and LICENCES.txt, as the command carries them
-//     node build.mjs FOLDER static    index.html and worker.js, which go beside the engine of tools/engine; built/program.mjs for their test
+//     node build.mjs FOLDER static    the page in parts, which go beside the engines of tools/engine; built/program.mjs for their test
 import { build } from 'esbuild';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 
 const target = process.argv[2] ?? '../built';
 const isStatic = process.argv[3] === 'static';
@@ -15,32 +15,35 @@ const withoutGraphviz = {
     made.onLoad({ filter: /.*/, namespace: 'none' }, () => ({ contents: "export const instance = () => Promise.reject(new Error('Graphviz is left out'));" }));
   },
 };
-const made = await build({
-  plugins: isStatic ? [withoutGraphviz] : [],
-  entryPoints: ['src/main.ts'],
-  bundle: true,
-  minify: true,
-  charset: 'utf8',
-  format: 'iife',
-  target: 'es2022',
-  legalComments: 'none',
-  metafile: true,
-  write: false,
-});
-const script = made.outputFiles[0].text.replaceAll('</script', '<\\/script');
+const shared = { bundle: true, minify: true, charset: 'utf8', target: 'es2022', legalComments: 'none' };
 const style = readFileSync('src/style.css', 'utf8');
-const page = readFileSync('src/page.html', 'utf8')
-  .replace('/* style */', () => style)
-  .replace('/* script */', () => script);
+const frame = readFileSync('src/page.html', 'utf8').replace('/* style */', () => style);
 mkdirSync(target, { recursive: true });
 if (isStatic) {
-  // The same page, which asks a Worker; and the engine's side of it for the page and, as a module, for its test in node.
-  writeFileSync(`${target}/index.html`, page.replace('<html lang="en">', '<html lang="en" data-engine="static">'));
-  const side = { bundle: true, minify: true, charset: 'utf8', target: 'es2022', legalComments: 'none' };
-  await build({ ...side, entryPoints: ['src/worker.ts'], format: 'iife', outfile: `${target}/worker.js` });
-  await build({ ...side, entryPoints: ['src/program.ts'], format: 'esm', outfile: 'built/program.mjs' });
+  // The same page, which asks Workers. What a first picture does without, three.js and KaTeX, are files of their own.
+  rmSync(`${target}/parts`, { recursive: true, force: true });
+  const { metafile } = await build({ ...shared, metafile: true, plugins: [withoutGraphviz], entryPoints: { page: 'src/main.ts' }, format: 'esm', splitting: true, outdir: target, chunkNames: 'parts/[name]-[hash]' });
+  // The engine's side of it for the page and, as a module, for its test in node.
+  await build({ ...shared, entryPoints: ['src/worker.ts'], format: 'iife', outfile: `${target}/worker.js` });
+  await build({ ...shared, entryPoints: ['src/program.ts'], format: 'esm', outfile: 'built/program.mjs' });
+  // The engine of figures comes and is compiled while the page's script is still read.
+  const own = Object.values(metafile.outputs).find((one) => one.entryPoint === 'src/main.ts');
+  const preloads = own.imports.filter((one) => one.kind === 'import-statement').map((one) => `<link rel="modulepreload" href="parts/${one.path.split('/').pop()}">\n`);
+  const early = `<script type="module" src="page.js"></script>
+${preloads.join('')}<script>
+var algaeEarly = { module: fetch('engine.wasm').then((found) => {
+  if (!found.ok) throw new Error(found.statusText);
+  return found.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(found) : found.arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
+}), worker: new Worker('worker.js') };
+algaeEarly.module.catch(() => undefined);
+</script>
+`;
+  writeFileSync(`${target}/index.html`, frame.replace('<html lang="en">', '<html lang="en" data-engine="static">').replace('<style>', () => `${early}<style>`).replace(/<script>\s*\/\* script \*\/\s*<\/script>\n/, ''));
   process.exit(0);
 }
+const made = await build({ ...shared, entryPoints: ['src/main.ts'], format: 'iife', metafile: true, write: false });
+const script = made.outputFiles[0].text.replaceAll('</script', '<\\/script');
+const page = frame.replace('/* script */', () => script);
 writeFileSync(`${target}/page.html`, page);
 
 // Who made the parts that are in it, with their licences, and how many bytes each takes.

@@ -1,24 +1,26 @@
 // Drives the page in Chromium as a person would, and reads what is on the screen.
 //
-//     node test.mjs ALGAE PICTURES [CHROMIUM]
+//     node test.mjs ALGAE PICTURES [CHROMIUM [quick]]
 //
 // starts the studio of the command ALGAE, goes through all tabs with ten systems, ten claims and ten lessons, and compares what the
-// accessibility tree of the browser holds with what the command says of the same. Pictures of each tab go to the folder PICTURES. It
+// accessibility tree of the browser holds with what the command says of the same; with `quick`, through fewer of them. Pictures of each tab go to the folder PICTURES. It
 // exits with 1 if something that should be there is not.
 //
 // Nothing here waits for a time: a step ends when the page says that it is not busy any more (aria-busy), or when the text that is
 // waited for is there. The one limit is how long a page may be busy before the run gives up, which is far from what it takes on a busy machine.
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { inflateRawSync } from 'node:zlib';
 import { chromium } from 'playwright-core';
 import { checks, startedStudio } from './driving.mjs';
 
-const [algae, pictures, executable = '/usr/bin/chromium'] = process.argv.slice(2);
+const [algae, pictures, executable = '/usr/bin/chromium', amount] = process.argv.slice(2);
+const isQuick = amount === 'quick'; // fewer systems, claims and lessons, no other languages, no dark page
 const root = new URL('../..', import.meta.url).pathname;
 const patience = 180_000; // milliseconds
+const many = isQuick ? 2 : 10;
 mkdirSync(pictures, { recursive: true });
 
 const { check, end } = checks();
@@ -116,6 +118,7 @@ const systems = {
 
 async function tabsOfSystems() {
   for (const [name, system] of Object.entries(systems)) {
+    if (isQuick && !['koch', 'fibonacci', 'context'].includes(name)) continue;
     const { text } = system;
     await page.getByRole('tab', { name: 'Figure', exact: true }).click();
     await type(text);
@@ -158,7 +161,7 @@ async function claims() {
   await type('claim  Search\ntheorem for all 0L languages A, B: A | B is 0L\n');
   includes(await panel(), 'counterexample: A = {a}, B = {aa}', 'a counterexample is found by search');
   await picture('claims-search');
-  const files = readdirSync(`${root}theory/finite`).filter((file) => file.endsWith('.claim')).slice(0, 10);
+  const files = readdirSync(`${root}theory/finite`).filter((file) => file.endsWith('.claim')).slice(0, many);
   for (const file of files) {
     const path = `${root}theory/finite/${file}`;
     const [claim] = sayJson(['check', path]).claims;
@@ -170,12 +173,12 @@ async function claims() {
     includes(shown, claim.claim, `the claim ${file}`);
     for (const one of claim.statements) includes(shown, { proved: '✓ proved', refuted: '✗ refuted' }[one.verdict] + one.text, `a statement of ${file}`);
   }
-  check(files.length === 10, `ten claims: ${files.length}`);
+  check(files.length === many, `${many} claims: ${files.length}`);
 }
 
 async function lessons() {
   await tab('Lessons');
-  const answers = readdirSync(`${root}lessons/answers`).filter((file) => /-1\.\w+$/.test(file)).slice(0, 10);
+  const answers = readdirSync(`${root}lessons/answers`).filter((file) => /-1\.\w+$/.test(file)).slice(0, many);
   for (const file of answers) {
     const number = String(Number(file.slice(0, 2)));
     await page.getByRole('combobox', { name: 'Lessons' }).selectOption(number);
@@ -191,7 +194,7 @@ async function lessons() {
     check(/✗ wrong|\? undecided/.test(marked), `a wrong answer to ${number}.1 is not right`);
     if (number === '1') await picture('lessons');
   }
-  check(answers.length === 10, `ten lessons: ${answers.length}`);
+  check(answers.length === many, `${many} lessons: ${answers.length}`);
 }
 
 /** Copies the link, and returns what it holds of the look at the figure. */
@@ -277,6 +280,93 @@ async function doings() {
   includes(await panel(), '128 segments', 'the figure is of what is written');
 }
 
+/** Exercises of somebody's own: they open, are marked, and the answer is handed in as a file that `algae mark` takes. */
+async function pack() {
+  const exercises = {
+    'doubling.exercise': 'exercise Doubling\ntask Write a system with one rule whose lengths double.\nanswer system\nshow answer has 1 rule\nshow growth(answer) = 2^n\nhint Each letter has two successors.\n',
+    'word.exercise': 'exercise A word\ntask Write the word of two letters a.\nanswer word\nshow answer == {aa}\n',
+    'broken.exercise': 'exercise Broken\ntsk Write a.\n',
+  };
+  await tab('Figure');
+  await page.setInputFiles('input[type=file]', Object.entries(exercises).map(([name, text]) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })));
+  await sees('Exercises of your own', 'exercises of one\'s own open as a pack');
+  const shown = await panel();
+  includes(shown, 'Task doubling: Doubling', 'an exercise has its title');
+  includes(shown, 'Write the word of two letters a.', 'another exercise has its task');
+  includes(shown, 'line 2:', 'a mistake in an exercise is said with its line');
+  const task = (name) => page.locator('.task').filter({ hasText: `Task ${name}` });
+  await type('axiom a\na -> aaa\n');
+  await task('doubling').getByRole('button', { name: 'Mark my answer' }).click();
+  includes(await panel(), '✗ wrong', 'a wrong answer to an exercise of one\'s own');
+  includes(await panel(), 'Each letter has two successors.', 'the hint of an exercise of one\'s own');
+  await type('axiom a\na -> aa\n');
+  await task('doubling').getByRole('button', { name: 'Mark my answer' }).click();
+  includes(await panel(), '✓ right', 'a right answer to an exercise of one\'s own');
+  await picture('lessons-pack');
+  const answer = await downloaded(() => task('doubling').getByRole('button', { name: 'Hand in' }).click());
+  check(answer.name === 'doubling.lsys', `an answer is handed in as a file: ${answer.name}`);
+  const answers = mkdtempSync(`${tmpdir()}/algae-answers-`);
+  writeFileSync(`${answers}/one.lsys`, answer.text);
+  writeFileSync(`${folder}/doubling.exercise`, exercises['doubling.exercise']);
+  const { answers: rows } = sayJson(['mark', `${folder}/doubling.exercise`, answers]);
+  check(rows.length === 1 && rows[0].verdict === 'right' && rows[0].points === rows[0].of, `algae mark takes the file: ${JSON.stringify(rows)}`);
+  rmSync(answers, { recursive: true });
+  await type('');
+  await task('word').getByRole('button', { name: 'Hand in' }).click();
+  includes(await panel(), 'Write the answer on the left', 'an empty answer is not handed in');
+  // The pack is in a link, and in the folder of the studio.
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page.waitForFunction(() => location.hash.length > 20);
+  const other = await context.newPage();
+  await other.goto(page.url());
+  await other.getByText('Task doubling').waitFor();
+  check((await other.locator('.task').count()) === 3, 'a link brings the pack');
+  await other.close();
+  await page.getByRole('combobox', { name: 'Lessons' }).selectOption('1');
+  await sees(/Task 1\.1/, 'a lesson comes after the pack');
+  await page.getByRole('button', { name: 'Gallery' }).click();
+  await page.getByLabel('kind').selectOption('folder');
+  await page.getByRole('searchbox').fill('');
+  await page.getByRole('button', { name: 'doubling.exercise' }).click();
+  await sees('Task doubling', 'an exercise of the folder opens');
+  check((await page.locator('.task').count()) === 1, 'the exercise of the folder is a pack of its own');
+}
+
+/** What another page shows of this one: a figure, and a claim with its verdict. */
+async function embedded() {
+  const shown = async (name, expected, title) => {
+    await page.getByRole('button', { name: 'Embed', exact: true }).click();
+    await page.getByLabel('Address of the page of static files').fill(address);
+    await page.waitForFunction((start) => document.querySelector('textarea').value.includes(`src="${start}#`), address);
+    const html = await page.getByLabel('HTML for another page').inputValue();
+    check(html.includes(`title="${title}"`), `the frame of ${name} has a title: ${html.slice(-200)}`);
+    await page.getByRole('button', { name: 'Close', exact: true }).click();
+    const other = await context.newPage();
+    await other.goto(/src="([^"]*)"/.exec(html)[1]);
+    await other.getByText(expected).filter({ visible: true }).first().waitFor();
+    await settled(other);
+    for (const part of ['#left', '.tabs', '.bar']) check((await other.locator(part).filter({ visible: true }).count()) === 0, `${name} in another page is without ${part}`);
+    await other.screenshot({ path: `${pictures}/embedded-${name}.png` });
+    const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+    await other.evaluate(axe + ';0');
+    const { violations } = await other.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+    check(violations.length === 0, `${name} in another page: ${violations.map((one) => `${one.id} (${one.nodes[0].html.slice(0, 160)})`).join('; ')}`);
+    const [whole] = await Promise.all([context.waitForEvent('page'), other.getByRole('link', { name: 'algae studio' }).click()]);
+    await whole.getByRole('button', { name: 'Gallery' }).waitFor();
+    check(await whole.locator('.cm-content').isVisible(), `${name} in another page leads to the whole page`);
+    await whole.close();
+    await other.close();
+  };
+  await tab('Figure');
+  await type(`title Koch & "co"\n${systems.koch.text}`);
+  await shown('figure', /256 segments/, 'Figure: Koch &amp; &quot;co&quot;');
+  await tab('Claims');
+  await type('claim  Embedded\nlet A = {a, aa}\nshow A is not 0L\n');
+  await shown('claim', '✓ proved', 'Claims: Embedded');
+  await tab('Figure');
+  await type(systems.koch.text);
+}
+
 /** The page in other languages: what one sees, and what a number does to a word. */
 async function languages() {
   const said = {
@@ -324,7 +414,7 @@ async function accessible() {
     const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
     check(violations.length === 0, `${what}: ${violations.map((one) => `${one.id}, ${one.help} (${one.nodes[0].html.slice(0, 160)}: ${one.nodes[0].failureSummary})`).join('; ')}`);
   };
-  for (const theme of ['light', 'dark']) {
+  for (const theme of isQuick ? ['light'] : ['light', 'dark']) {
     for (const one of ['Figure', 'Derivation', 'Growth', 'Language', 'Claims', 'Dimension', 'Lessons']) {
       await tab(one);
       await look(`${one}, ${theme}`);
@@ -337,6 +427,10 @@ async function accessible() {
     }
     await page.getByRole('button', { name: 'Gallery' }).click();
     await look(`gallery, ${theme}`);
+    await page.getByRole('button', { name: 'Close', exact: true }).click();
+    await page.getByRole('button', { name: 'Embed', exact: true }).click();
+    await look(`what another page needs, ${theme}`);
+    await picture(`${theme}-embed`);
     await page.getByRole('button', { name: 'Close', exact: true }).click();
     await page.getByRole('button', { name: 'Dark', exact: true }).click();
   }
@@ -402,7 +496,7 @@ try {
   await page.getByRole('searchbox').fill('plant');
   await page.locator('.card img').nth(3).waitFor();
   await picture('gallery');
-  await page.locator('.card').first().click();
+  await page.locator('.card:has([data-name="plant-f"])').click();
   await settled();
   includes(await panel(), 'segments', 'a figure of the gallery is drawn');
 
@@ -441,7 +535,9 @@ try {
   await page.getByRole('button', { name: /Turtle/ }).click();
 
   await part('doings', doings);
-  await part('languages', languages);
+  await part('exercises of one\'s own', pack);
+  await part('embedded', embedded);
+  if (!isQuick) await part('languages', languages);
 
   await page.getByRole('button', { name: 'Present' }).click();
   await page.keyboard.press('ArrowLeft');

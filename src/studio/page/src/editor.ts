@@ -26,7 +26,7 @@ interface Message {
 
 /** Asks the language server once: a document, and one request about it. */
 async function askEditor(kind: Kind, text: string, method: string, place: Position | null, signal?: AbortSignal): Promise<Message[]> {
-  if (engine.lacks('editor')) return kind === 'system' && method === 'diagnostics' ? mistakeOf(text, signal) : [];
+  if (kind === 'system' && !engine.isReady('editor')) return method === 'diagnostics' ? mistakeOf(text, signal) : [];
   const question: Record<string, unknown> = { question: 'editor', kind: kind === 'system' ? 'lsys' : kind === 'claim' ? 'claim' : answerKind(text), method, text };
   if (place) Object.assign(question, place);
   const answer = await ask(question, { part: 'about', ...(signal ? { signal } : {}) });
@@ -37,7 +37,7 @@ async function askEditor(kind: Kind, text: string, method: string, place: Positi
   return messages;
 }
 
-/** Where there is no language server: the first mistake of a system, as its reader says it. */
+/** Where the language server is not loaded: the first mistake of a system, as its reader says it. */
 async function mistakeOf(text: string, signal?: AbortSignal): Promise<Message[]> {
   try {
     await askText({ question: 'describe', text }, { part: 'about', ...(signal ? { signal } : {}) });

@@ -20,6 +20,8 @@ export interface Engine {
   answer(question: Question, signal: AbortSignal | null, progress: (line: string) => void, refuse: (message: string) => Error): Promise<Answer>;
   /** Why a question is not answered here; null where it is. */
   lacks(question: string): string | null;
+  /** Whether a question is answered without anything that has to be loaded first. */
+  isReady(question: string): boolean;
 }
 
 const newline = 10;
@@ -29,6 +31,7 @@ const tilde = 126;
  * bytes behind it are the answer itself. */
 const server: Engine = {
   lacks: () => null,
+  isReady: () => true,
   async answer(question, signal, progress, refuse) {
     const response = await fetch('ask', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(question), signal });
     if (!response.ok) throw refuse((await response.text()).trim());
@@ -67,14 +70,23 @@ const server: Engine = {
   },
 };
 
-/** What the engine of static files is built without (tools/studio --static says which rooms it has): pictures as files, languages and claims,
- * dimension, lessons. */
-export const leftOut = ['picture', 'letters', 'dimension', 'member', 'list', 'finite', 'check', 'certificate', 'lessons', 'lesson', 'mark', 'editor'];
+/** What the engines of static files are built without (tools/engine says which rooms they have): pictures as files, and the graph of letters,
+ * which needs Graphviz, half of the page's bytes. */
+export const leftOut = ['picture', 'letters'];
+/** What the engine of figures answers, which is loaded first. The engine of the theory answers the rest, and is loaded when it is asked. */
+const quick = ['describe', 'show', 'figure', 'derivation', 'walk', 'growth', 'factors', 'growth-latex', 'gallery'];
+
+type Program = 'engine' | 'theory';
+function programOf(question: Question): Program {
+  const name = String(question['question']);
+  return quick.includes(name) || (name === 'open' && question['from'] === 'gallery') ? 'engine' : 'theory';
+}
 
 const usualSeconds = 30;
 
 /** A question that waits for a Worker or is with one. */
 interface Task {
+  program: Program;
   question: Question;
   seconds: number;
   progress: (line: string) => void;
@@ -82,28 +94,31 @@ interface Task {
   fail: (error: unknown) => void;
 }
 
-/** The engine in Workers. A Worker has one question at a time; to end the question is to end the Worker, and the next one gets the compiled
+/** What a page of static files begins to load before its script is read (build.mjs). */
+declare const algaeEarly: { module: Promise<WebAssembly.Module>; worker: Worker } | undefined;
+
+/** The engines in Workers. A Worker has one question at a time; to end the question is to end the Worker, and the next one gets the compiled
  * module, which is what takes long to make. */
 class Workers implements Engine {
-  private readonly module: Promise<WebAssembly.Module>;
+  private readonly coming = new Map<Program, Promise<WebAssembly.Module>>();
+  private readonly modules = new Map<Program, WebAssembly.Module>();
   private readonly idle: Worker[] = [];
   private readonly waiting: Task[] = [];
+  private readonly stops = new Map<Task, () => void>();
   private running = 0;
 
   constructor(private readonly most: number) {
-    this.module = this.load();
-  }
-
-  private async load(): Promise<WebAssembly.Module> {
-    const response = await fetch('engine.wasm');
-    if (!response.ok) throw new Error(texts.noEngine);
-    // Compiled while it comes, where the server of the files says what they are.
-    if (response.headers.get('Content-Type') === 'application/wasm') return WebAssembly.compileStreaming(response);
-    return WebAssembly.compile(await response.arrayBuffer());
+    if (typeof algaeEarly === 'undefined') return;
+    this.coming.set('engine', algaeEarly.module);
+    this.idle.push(algaeEarly.worker);
   }
 
   lacks(question: string): string | null {
     return leftOut.includes(question) ? texts.needsCommand : null;
+  }
+
+  isReady(question: string): boolean {
+    return this.modules.has(programOf({ question }));
   }
 
   answer(question: Question, signal: AbortSignal | null, progress: (line: string) => void, refuse: (message: string) => Error): Promise<Answer> {
@@ -111,37 +126,46 @@ class Workers implements Engine {
     if (reason) return Promise.reject(refuse(reason));
     return new Promise((done, fail) => {
       const asked = Number(question['seconds']);
-      const task: Task = { question, seconds: asked > 0 && asked < usualSeconds ? asked : usualSeconds, progress, done, fail };
+      const task: Task = { program: programOf(question), question, seconds: asked > 0 && asked < usualSeconds ? asked : usualSeconds, progress, done, fail };
       if (signal?.aborted) return fail(signal.reason);
       signal?.addEventListener('abort', () => {
         const at = this.waiting.indexOf(task);
         if (at >= 0) this.waiting.splice(at, 1);
         fail(signal.reason);
-        this.stop(task);
+        this.stops.get(task)?.();
       });
       this.waiting.push(task);
-      void this.work();
+      void this.prepare(task.program);
     });
   }
 
-  private readonly stops = new Map<Task, () => void>();
-  private stop(task: Task): void {
-    this.stops.get(task)?.();
+  /** Loads a program if it is not there, and goes on with what waits for it; if it cannot be loaded it is tried again with the next question. */
+  private async prepare(program: Program): Promise<void> {
+    try {
+      if (!this.modules.has(program)) {
+        if (!this.coming.has(program)) this.coming.set(program, load(`${program}.wasm`));
+        this.modules.set(program, await this.coming.get(program)!);
+      }
+    } catch {
+      this.coming.delete(program);
+      for (const task of this.waiting.filter((one) => one.program === program)) {
+        this.waiting.splice(this.waiting.indexOf(task), 1);
+        task.fail(new Error(texts.noEngine(`${program}.wasm`)));
+      }
+    }
+    this.work();
   }
 
-  private async work(): Promise<void> {
-    if (this.running >= this.most) return;
-    const task = this.waiting.shift();
-    if (!task) return;
-    ++this.running;
-    let module: WebAssembly.Module;
-    try {
-      module = await this.module;
-    } catch (error) {
-      --this.running;
-      task.fail(error);
-      return void this.work();
+  private work(): void {
+    while (this.running < this.most) {
+      const at = this.waiting.findIndex((task) => this.modules.has(task.program));
+      if (at < 0) return;
+      this.begin(this.waiting.splice(at, 1)[0]!);
     }
+  }
+
+  private begin(task: Task): void {
+    ++this.running;
     const worker = this.idle.pop() ?? new Worker('worker.js');
     const end = (keep: boolean): void => {
       clearTimeout(clock);
@@ -150,7 +174,7 @@ class Workers implements Engine {
       if (keep) this.idle.push(worker);
       else worker.terminate();
       --this.running;
-      void this.work();
+      this.work();
     };
     const broken = (why: Head['end']): void => {
       end(false);
@@ -167,8 +191,16 @@ class Workers implements Engine {
       end(true);
       task.done({ status: found.status, end: 'answered', said: found.said, seconds: task.seconds, bytes: found.bytes });
     };
-    worker.postMessage({ module, question: task.question, seconds: task.seconds });
+    worker.postMessage({ program: task.program, module: this.modules.get(task.program)!, question: task.question, seconds: task.seconds });
   }
+}
+
+/** Compiled while it comes, where the server of the files says what they are. */
+async function load(file: string): Promise<WebAssembly.Module> {
+  const response = await fetch(file);
+  if (!response.ok) throw new Error(response.statusText);
+  if (response.headers.get('Content-Type') === 'application/wasm') return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
 }
 
 /** A page of static files says so in its first element. */

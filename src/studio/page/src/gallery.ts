@@ -20,25 +20,24 @@ export class Gallery {
   readonly dialog = el('dialog', { 'aria-label': texts.gallery });
   private readonly search = el('input', { type: 'search', placeholder: texts.search, 'aria-label': texts.search });
   private readonly cards = el('div', { class: 'cards', id: 'cards', tabindex: '0' });
+  private readonly kinds = el('select', { 'aria-label': texts.kind }, el('option', { value: 'systems' }, texts.systems), el('option', { value: 'claims' }, texts.theory), el('option', { value: 'folder' }, texts.folder));
   private entries: Entry[] = [];
+  private named: { files: string[]; claims: string[] } | null = null; // files of the folder, claims of the theory
   private readonly pictures = new Map<string, string>();
   private readonly queue: { name: string; into: HTMLElement }[] = [];
   private running = 0;
   private observer: IntersectionObserver | null = null;
 
-  constructor(
-    private readonly chosen: Chosen,
-    private readonly claims: () => string[],
-    private readonly files: () => string[],
-  ) {
-    const kinds = el('select', { 'aria-label': texts.kind }, el('option', { value: 'systems' }, texts.systems), el('option', { value: 'claims' }, texts.theory), el('option', { value: 'folder' }, texts.folder));
-    kinds.addEventListener('change', () => this.show(kinds.value));
-    this.search.addEventListener('input', () => this.show(kinds.value));
+  constructor(private readonly chosen: Chosen) {
+    const { kinds } = this;
+    kinds.addEventListener('change', () => void this.show(kinds.value));
+    this.search.addEventListener('input', () => void this.show(kinds.value));
     this.dialog.append(el('div', { class: 'inside' }, el('div', { class: 'bar' }, this.search, kinds, el('button', { onclick: () => this.dialog.close() }, texts.close)), this.cards));
     this.dialog.addEventListener('close', () => (this.queue.length = 0));
   }
 
   async open(): Promise<void> {
+    this.named = null; // the folder may have other files now
     this.dialog.showModal();
     this.search.focus();
     if (this.entries.length === 0) {
@@ -50,16 +49,26 @@ export class Gallery {
         return;
       }
     }
-    this.show('systems');
+    void this.show(this.kinds.value);
   }
 
-  private show(kind: string): void {
+  private async show(kind: string): Promise<void> {
     this.observer?.disconnect();
     this.queue.length = 0;
+    if (kind !== 'systems' && !this.named) {
+      this.cards.textContent = texts.working;
+      try {
+        this.named = await askJson<{ files: string[]; claims: string[] }>({ question: 'start' }, { part: 'cards' });
+      } catch (error) {
+        this.cards.textContent = error instanceof Error ? error.message : String(error);
+        return;
+      }
+      if (kind !== this.kinds.value) return; // another kind was chosen meanwhile
+    }
     const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
     const has = (...texts_: (string | undefined)[]): boolean => words.every((word) => texts_.some((text) => text?.toLowerCase().includes(word)));
     if (kind !== 'systems') {
-      const names = (kind === 'claims' ? this.claims() : this.files()).filter((name) => has(name.replaceAll('-', ' '), name));
+      const names = (kind === 'claims' ? this.named!.claims : this.named!.files).filter((name) => has(name.replaceAll('-', ' '), name));
       this.cards.replaceChildren(
         ...names.map((name) => {
           const short = name.split('/').pop()!;

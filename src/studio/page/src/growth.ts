@@ -1,6 +1,6 @@
 // Growth: formulas, the plot of lengths, the matrix, the graph of letters; and the factors of the words.
 
-import katex from 'katex';
+import type katex from 'katex';
 import { askJson, askText, Latest, Refusal } from './ask';
 import { busy, el } from './dom';
 import { plot } from './plot';
@@ -16,12 +16,20 @@ interface Growth {
   letters: unknown;
 }
 
+let typesetter: Promise<typeof katex> | null = null;
+
 /** A formula as MathML, which the browser sets with its own letters. */
 export function formula(latex: string, display = false): HTMLElement {
-  const element = el('span', display ? { class: 'formula' } : {});
-  katex.render(latex, element, { output: 'mathml', displayMode: display, throwOnError: false, strict: false });
-  // A bracket that is a letter is as high as one.
-  for (const bracket of element.querySelectorAll('mtd mo:only-child')) bracket.setAttribute('stretchy', 'false');
+  const element = el('span', display ? { class: 'formula' } : {}, latex);
+  const done = busy('right');
+  typesetter ??= import('katex').then((library) => library.default);
+  void typesetter
+    .then((found) => {
+      found.render(latex, element, { output: 'mathml', displayMode: display, throwOnError: false, strict: false });
+      // A bracket that is a letter is as high as one.
+      for (const bracket of element.querySelectorAll('mtd mo:only-child')) bracket.setAttribute('stretchy', 'false');
+    })
+    .finally(done);
   return element;
 }
 

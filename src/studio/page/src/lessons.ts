@@ -1,19 +1,26 @@
-// Lessons: read, answer, be marked with the counterexample at once.
+// Lessons: read, answer, be marked with the counterexample at once, hand the answer in. Exercises of somebody's own are a lesson without a text.
 
-import { askJson } from './ask';
-import { el, speak } from './dom';
+import { askJson, Refusal } from './ask';
+import { download, el, speak } from './dom';
 import { formula, withFormulas } from './growth';
-import { change, state } from './state';
+import { change, state, type PackedExercise } from './state';
 import { texts } from './texts';
 
 interface Entry {
   lesson: number;
   title: string;
 }
+interface Exercise {
+  exercise: string; // as people call it: 4.1, or the name of its file
+  title: string;
+  source?: string;
+  task: string;
+  ending: string; // of the name of a file with an answer
+}
 interface Lesson {
   title: string;
   text: string;
-  exercises: { number: number; title: string; task: string }[];
+  exercises: Exercise[];
 }
 interface Mark {
   verdict: string;
@@ -83,8 +90,8 @@ export class LessonsTab {
   readonly root = el('div', { class: 'panel whole', role: 'tabpanel', id: 'panel-lessons', 'aria-label': texts.tabs.lessons });
   private readonly chooser = el('select', { 'aria-label': texts.tabs.lessons });
   private readonly body = el('div', { class: 'panel', tabindex: '0' });
-  private shown = 0;
-  private listed: Promise<void> | null = null;
+  private shown = '';
+  private listed: Promise<Entry[]> | null = null;
   visible = false;
 
   constructor() {
@@ -95,41 +102,88 @@ export class LessonsTab {
   async update(): Promise<void> {
     if (!this.visible) return;
     try {
-      await (this.listed ??= this.list());
-      if (this.shown === state.lesson) return;
-      this.shown = state.lesson;
-      this.chooser.value = String(state.lesson);
-      const lesson = await askJson<Lesson>({ question: 'lesson', lesson: state.lesson });
-      const page = markdown(lesson.text, (text, kind) => change(kind === 'claim' ? { claim: text, tab: 'claims' } : { system: text, tab: 'figure', n: null }));
-      for (const exercise of lesson.exercises) {
-        const verdict = el('div', { 'aria-live': 'polite' });
-        page.append(
-          el(
-            'div',
-            { class: 'task' },
-            el('h3', {}, `${texts.task} ${state.lesson}.${exercise.number}: ${exercise.title}`),
-            el('p', {}, withFormulas(exercise.task) as unknown as HTMLElement),
-            el('button', { class: 'main', onclick: () => void this.mark(state.lesson, exercise.number, verdict) }, texts.mark),
-            verdict,
-          ),
-        );
-      }
+      await this.list();
+      const key = state.lesson > 0 ? String(state.lesson) : JSON.stringify(state.pack);
+      if (this.shown === key) return;
+      this.shown = key;
+      const page = state.lesson > 0 ? await this.lesson(state.lesson) : await this.pack(state.pack);
+      if (this.shown !== key) return;
       this.body.replaceChildren(page);
       this.body.scrollTop = 0;
     } catch (error) {
+      this.shown = '';
       this.body.replaceChildren(el('p', { class: 'bad' }, error instanceof Error ? error.message : String(error)));
     }
   }
 
+  /** The lessons, and the exercises of one's own where there are any. */
   private async list(): Promise<void> {
-    const { lessons } = await askJson<{ lessons: Entry[] }>({ question: 'lessons' });
-    this.chooser.replaceChildren(...lessons.map((one) => el('option', { value: one.lesson }, `${one.lesson}. ${one.title}`)));
+    this.listed ??= askJson<{ lessons: Entry[] }>({ question: 'lessons' }).then(({ lessons }) => lessons);
+    let lessons: Entry[];
+    try {
+      lessons = await this.listed;
+    } catch (error) {
+      this.listed = null;
+      throw error;
+    }
+    if (this.chooser.childElementCount !== lessons.length + (state.pack.length > 0 ? 1 : 0))
+      this.chooser.replaceChildren(
+        ...(state.pack.length > 0 ? [el('option', { value: 0 }, texts.ownExercises)] : []),
+        ...lessons.map((one) => el('option', { value: one.lesson }, `${one.lesson}. ${one.title}`)),
+      );
+    this.chooser.value = String(state.lesson);
   }
 
-  private async mark(lesson: number, exercise: number, into: HTMLElement): Promise<void> {
+  private async lesson(number: number): Promise<HTMLElement> {
+    const lesson = await askJson<Lesson>({ question: 'lesson', lesson: number });
+    const page = markdown(lesson.text, (text, kind) => change(kind === 'claim' ? { claim: text, tab: 'claims' } : { system: text, tab: 'figure', n: null }));
+    lesson.exercises.forEach((exercise, i) => page.append(this.task(exercise, { lesson: number, exercise: i + 1 })));
+    return page;
+  }
+
+  private async pack(pack: PackedExercise[]): Promise<HTMLElement> {
+    const page = el('div', { class: 'lesson' }, el('h2', {}, texts.ownExercises));
+    for (const { file, text } of pack) {
+      const own = { exercise_text: text, file };
+      try {
+        page.append(this.task(await askJson<Exercise>({ question: 'exercise', ...own }), own));
+      } catch (error) {
+        if (!(error instanceof Refusal)) throw error;
+        page.append(el('div', { class: 'task' }, el('h3', {}, file), el('p', { class: 'bad' }, error.line === null ? error.message : texts.lineSaid(error.line, error.message))));
+      }
+    }
+    return page;
+  }
+
+  /** A task with its buttons; `which` says in a question which exercise it is. */
+  private task(exercise: Exercise, which: Record<string, unknown>): HTMLElement {
+    const verdict = el('div', { 'aria-live': 'polite' });
+    const name = `${exercise.exercise}: ${exercise.title}`;
+    return el(
+      'div',
+      { class: 'task' },
+      el('h3', {}, `${texts.task} ${name}`),
+      el('p', {}, withFormulas(exercise.task) as unknown as HTMLElement),
+      exercise.source ? el('p', { class: 'note' }, exercise.source) : null,
+      el('button', { class: 'main', onclick: () => void this.mark(which, verdict) }, texts.mark),
+      ' ',
+      el('button', { title: texts.handInHelp, onclick: () => this.handIn(exercise, verdict) }, texts.handIn),
+      verdict,
+    );
+  }
+
+  /** The answer as a file, for who marks those of a class with `algae mark`. */
+  private handIn(exercise: Exercise, into: HTMLElement): void {
+    if (!state.answer.trim()) return into.replaceChildren(el('p', { class: 'wait' }, texts.answerHere));
+    const name = `${exercise.exercise}.${exercise.ending}`;
+    download(state.answer, name, 'text/plain');
+    into.append(el('p', { class: 'note' }, texts.handedIn(name)));
+  }
+
+  private async mark(which: Record<string, unknown>, into: HTMLElement): Promise<void> {
     into.replaceChildren(el('p', { class: 'wait' }, texts.working));
     try {
-      const found = await askJson<Mark>({ question: 'mark', lesson, exercise, text: state.answer }, {}, [0, 1, 3]);
+      const found = await askJson<Mark>({ question: 'mark', ...which, text: state.answer }, {}, [0, 1, 3]);
       const kind = found.verdict === 'right' ? 'good' : found.verdict === 'wrong' ? 'bad' : 'open';
       const page = el('div', {}, el('p', { class: kind }, el('b', {}, found.verdict === 'right' ? `✓ ${texts.right}` : found.verdict === 'wrong' ? `✗ ${texts.wrong}` : `? ${texts.undecided}`)));
       for (const one of found.statements) {

@@ -1,23 +1,21 @@
 // The page: an editor on the left, what follows from its text on the right.
 
-import { askJson, askText, Latest, Refusal } from './ask';
+import { askJson, Latest, Refusal } from './ask';
 import { ClaimsTab } from './claims';
 import { DerivationTab } from './derivation';
 import { DimensionTab } from './dimension';
 import { download, el, speak } from './dom';
 import { Editor } from './editor';
-import { engine } from './engine';
+import { engine, isStatic } from './engine';
 import { FigureTab } from './figure';
 import { Gallery } from './gallery';
 import { GrowthTab } from './growth';
 import { LanguageTab } from './language';
 import { LessonsTab } from './lessons';
-import { change, describe, fromLink, listen, state, systemQuestion, tabs, toLink, type Description, type Kind, type State, type Tab } from './state';
+import { change, describe, described, fromLink, listen, state, systemQuestion, tabs, toLink, type Description, type Kind, type PackedExercise, type State, type Tab } from './state';
 import { choose, language, languages, texts } from './texts';
 
 let documentShown: Kind = 'system';
-let folderFiles: string[] = [];
-let theoryClaims: string[] = [];
 
 const about = el('div', { class: 'about', id: 'about', role: 'status' });
 const editorPlace = el('div', { class: 'editor' });
@@ -143,9 +141,14 @@ listen((changed) => {
 
 // The head of the page
 
+function openPack(pack: PackedExercise[]): void {
+  change({ pack, lesson: 0, tab: 'lessons' });
+}
+
 async function open(from: 'gallery' | 'theory' | 'folder', name: string): Promise<void> {
   try {
     const { text } = await askJson<{ text: string }>({ question: 'open', from, file: name });
+    if (name.endsWith('.exercise')) return openPack([{ file: name, text }]);
     const isClaim = from === 'theory' || name.endsWith('.claim');
     const file = name.split('/').pop()!.replace(/^([^.]+)$/, '$1.lsys');
     change(isClaim ? { claim: text, tab: 'claims', file } : { system: text, n: null, seed: null, file, tab: state.tab === 'claims' || state.tab === 'lessons' ? 'figure' : state.tab });
@@ -155,22 +158,23 @@ async function open(from: 'gallery' | 'theory' | 'folder', name: string): Promis
   }
 }
 
-const gallery = new Gallery(
-  (from, name) => void open(from, name),
-  () => theoryClaims,
-  () => folderFiles,
-);
+const gallery = new Gallery((from, name) => void open(from, name));
 
-const picker = el('input', { type: 'file', accept: '.lsys,.claim,.txt', hidden: true });
-picker.addEventListener('change', () => {
-  const file = picker.files?.[0];
+const picker = el('input', { type: 'file', accept: '.lsys,.claim,.txt,.exercise', multiple: true, hidden: true });
+picker.addEventListener('change', () => void openFiles([...(picker.files ?? [])]));
+
+/** Exercises are a pack, however many they are; of other files the first one is opened. */
+async function openFiles(files: File[]): Promise<void> {
+  picker.value = ''; // so that the same file can be chosen again
+  const exercises = files.filter((file) => file.name.endsWith('.exercise')).sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
+  if (exercises.length > 0) return openPack(await Promise.all(exercises.map(async (file) => ({ file: file.name, text: await file.text() }))));
+  const file = files[0];
   if (!file) return;
-  void file.text().then((text) => {
-    const isClaim = file.name.endsWith('.claim');
-    change(isClaim ? { claim: text, tab: 'claims', file: file.name } : { system: text, n: null, seed: null, file: file.name });
-    showDocument(isClaim ? 'claim' : 'system');
-  });
-});
+  const text = await file.text();
+  const isClaim = file.name.endsWith('.claim');
+  change(isClaim ? { claim: text, tab: 'claims', file: file.name } : { system: text, n: null, seed: null, file: file.name });
+  showDocument(isClaim ? 'claim' : 'system');
+}
 
 function save(): void {
   const text = state[documentShown];
@@ -197,6 +201,57 @@ async function copyLink(): Promise<void> {
   setTimeout(() => (copyButton.textContent = texts.copyLink), 1800);
 }
 const copyButton = el('button', { onclick: () => void copyLink() }, texts.copyLink);
+
+// A part of the page for a page of somebody else's.
+
+const embedAddress = el('input', { type: 'url', class: 'address', 'aria-label': texts.embedAddress });
+const embedText = el('textarea', { readonly: true, rows: 6, 'aria-label': texts.embedText, spellcheck: 'false' });
+const embedCopy = el('button', { class: 'main', onclick: () => void copyEmbed() }, texts.copy);
+const embedDialog = el(
+  'dialog',
+  { class: 'small', 'aria-label': texts.embed },
+  el(
+    'div',
+    { class: 'inside' },
+    el('div', { class: 'bar' }, el('b', {}, texts.embed), el('span', { class: 'gap' }), embedCopy, el('button', { onclick: () => embedDialog.close() }, texts.close)),
+    el('div', { class: 'panel' }, el('p', {}, texts.embedHelp), el('p', {}, el('label', {}, texts.embedAddress, embedAddress)), embedText, el('p', { class: 'note' }, isStatic ? '' : texts.embedServer)),
+  ),
+);
+embedAddress.addEventListener('input', () => void writeEmbed());
+
+/** The HTML that shows what the tab shows: a figure, or a claim with its verdict. */
+async function writeEmbed(): Promise<void> {
+  const link = `${embedAddress.value}#${await toLink(panels.figure.look(), { embed: true })}`;
+  const quoted = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
+  const title = `${texts.tabs[state.tab]}: ${(state.tab === 'claims' ? /^\s*(?:claim|theorem)\s+(.*)$/m.exec(state.claim)?.[1] : described()?.title) || state.file}`;
+  embedText.value = `<iframe src="${quoted(link)}" title="${quoted(title)}" width="640" height="480" loading="lazy" style="border: 0"></iframe>`;
+}
+
+async function embed(): Promise<void> {
+  embedAddress.value = isStatic ? location.origin + location.pathname : 'https://example.org/studio/';
+  await writeEmbed();
+  embedDialog.showModal();
+  embedText.select();
+}
+
+async function copyEmbed(): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(embedText.value);
+    speak(texts.copied);
+    embedCopy.textContent = `✓ ${texts.copied}`;
+  } catch {
+    embedText.select();
+  }
+  setTimeout(() => (embedCopy.textContent = texts.copy), 1800);
+}
+
+/** Out of a page of somebody else's into a page of its own, with all that is shown. */
+const wholePage = el('a', { id: 'whole', target: '_blank', rel: 'noopener', href: '#' }, texts.title);
+async function linkToWhole(): Promise<void> {
+  wholePage.href = `${location.origin}${location.pathname}#${await toLink(panels.figure.look(), { embed: false })}`;
+}
+wholePage.addEventListener('pointerenter', () => void linkToWhole());
+wholePage.addEventListener('focus', () => void linkToWhole());
 
 const languageChooser = el('select', { 'aria-label': texts.languageHelp, title: texts.languageHelp }, ...Object.entries(languages).map(([name, { language: said }]) => el('option', { value: name, lang: name, selected: name === language }, said)));
 languageChooser.addEventListener('change', () => {
@@ -260,6 +315,7 @@ document.body.append(
     el('button', { onclick: () => picker.click() }, texts.open),
     el('button', { onclick: save, title: 'Ctrl+S' }, texts.save),
     copyButton,
+    el('button', { onclick: () => void embed() }, texts.embed),
     el('span', { class: 'gap' }),
     languageChooser,
     el('button', { onclick: () => setSize(size - 2), title: texts.smallerHelp }, texts.smaller),
@@ -286,6 +342,8 @@ document.body.append(
     ),
   ),
   gallery.dialog,
+  embedDialog,
+  wholePage,
   el('div', { id: 'spoken', 'aria-live': 'polite' }),
 );
 
@@ -308,17 +366,11 @@ async function begin(): Promise<void> {
   document.documentElement.lang = language;
   setTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
   if (location.hash.length > 1) await fromLink(location.hash.slice(1), (look) => panels.figure.lookAt(look));
+  if (state.embed) void linkToWhole();
   addEventListener('hashchange', () => void fromLink(location.hash.slice(1), (look) => panels.figure.lookAt(look)).then(() => showDocument(documentShown)));
   showDocument('system');
   showTab();
   void lookAtSystem();
-  try {
-    const found = JSON.parse(await askText({ question: 'start' })) as { files: string[]; claims: string[] };
-    folderFiles = found.files;
-    theoryClaims = found.claims;
-  } catch (error) {
-    complain(error);
-  }
 }
 void begin();
 

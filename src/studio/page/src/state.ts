@@ -13,8 +13,15 @@ export interface State {
   n: number | null; // null: what the system shows
   seed: number | null;
   word: string;
-  lesson: number;
+  lesson: number; // 0: the exercises of a pack
+  pack: PackedExercise[];
   embed: boolean;
+}
+
+/** An exercise of somebody's own, as its file says it. */
+export interface PackedExercise {
+  file: string;
+  text: string;
 }
 
 const koch = `title  Koch curve
@@ -42,6 +49,7 @@ export const state: State = {
   seed: null,
   word: '',
   lesson: 1,
+  pack: [],
   embed: false,
 };
 
@@ -128,9 +136,16 @@ function lookOf(found: unknown): Look | null {
   return look;
 }
 
-/** The part of an address that holds all of it: the state as JSON, deflated, in letters that addresses may have. */
-export async function toLink(look: Look | null): Promise<string> {
-  const bytes = await through(new TextEncoder().encode(JSON.stringify({ ...state, look })), new CompressionStream('deflate-raw'));
+function packOf(found: unknown): PackedExercise[] | null {
+  if (!Array.isArray(found)) return null;
+  const pack = found.map((one: unknown) => one as Partial<PackedExercise> | null);
+  if (!pack.every((one) => typeof one?.file === 'string' && typeof one.text === 'string')) return null;
+  return pack.map((one) => ({ file: one!.file!, text: one!.text! }));
+}
+
+/** The part of an address that holds all of it: the state as JSON, deflated, in letters that addresses may have. `other` replaces some of it. */
+export async function toLink(look: Look | null, other: Partial<State> = {}): Promise<string> {
+  const bytes = await through(new TextEncoder().encode(JSON.stringify({ ...state, ...other, look })), new CompressionStream('deflate-raw'));
   let text = '';
   for (const byte of bytes) text += String.fromCharCode(byte);
   return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
@@ -147,7 +162,10 @@ export async function fromLink(link: string, looks: (look: Look) => void): Promi
       const given = found[key];
       if (given === undefined) continue;
       const isNumber = key === 'n' || key === 'seed';
-      if (isNumber ? given === null || (Number.isSafeInteger(given) && (given as number) >= 0) : typeof given === typeof value) values[key] = given;
+      if (key === 'pack') {
+        const pack = packOf(given);
+        if (pack) values[key] = pack;
+      } else if (isNumber ? given === null || (Number.isSafeInteger(given) && (given as number) >= 0) : typeof given === typeof value) values[key] = given;
     }
     if (!tabs.includes((values['tab'] ?? 'figure') as Tab)) delete values['tab'];
     const look = lookOf(found['look']);

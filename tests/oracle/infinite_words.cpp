@@ -201,7 +201,8 @@ std::optional<std::map<char, double>> shares_of(const Rules& rules, const std::s
         return product;
     };
     Matrix power = step, row(1, std::vector<double>(d));
-    for (int i = 0; i < 40; ++i) power = times(power, power);
+    // More squares would lose more to rounding, of words whose parts grow alike, than they win.
+    for (int i = 0; i < 26; ++i) power = times(power, power);
     for (const char letter : axiom)
         row[0][static_cast<std::size_t>(std::ranges::find(letters, letter) - letters.begin())] += 1;
     row = times(row, power);

@@ -49,13 +49,13 @@ TEST_CASE("critical exponents of known words are numbers of claims, and verify f
     struct Known {
         const char *rules, *exponent;
     };
-    for (const auto& [rules, exponent] :
+    for (const Known& known :
          {Known{fibonacci, "2 + (1+sqrt(5))/2"}, Known{"a -> aab; b -> a", "3 + sqrt 2"},
           Known{thue_morse, "2"}, Known{"a -> aab; b -> abb", "3"},
           Known{"a -> ab; b -> ac; c -> a", "the largest real root of 2x^3 - 12x^2 + 22x - 13"},
           Known{"a -> aabaa; b -> baab", "3 + sqrt(3)"}, Known{"a -> ab; b -> aa", "4"}}) {
+        const std::string rules = known.rules, number = known.exponent;
         INFO(rules);
-        const std::string number = exponent;
         for (const auto& [sign, holds] : std::map<std::string, bool>{
                  {"=", true}, {"<=", true}, {">=", true}, {"<", false}, {">", false}}) {
             const Json made = certificate_of(rules, "critical_exponent(T) " + sign + " " + number);

@@ -494,9 +494,8 @@ int ask_exercise(const Question& question) {
 int ask_mark(const Question& question) {
     if (question.has("exercise_text")) {
         const Exercise exercise = own_exercise(question);
-        const Mark marked =
-            mark(exercise, question.text("text"), "the answer",
-                 systems_from({"."}, question.budget(), false), question.budget());
+        const Mark marked = mark(exercise, question.text("text"), "the answer",
+                                 systems_from({"."}, question.budget(), false), question.budget());
         print(as_json(exercise, marked).text());
         return status_of(marked.verdict);
     }

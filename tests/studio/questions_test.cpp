@@ -262,15 +262,15 @@ TEST_CASE("exercises of one's own are shown and marked as the verb marks them") 
     CHECK(broken.head["status"] == 2);
     CHECK(broken.json()["error"]["line"] == 2);
     std::size_t compared = 0;
-    for (const auto& [answer, status] : {std::pair{"axiom a\na -> aa\n", 0},
-                                         std::pair{"axiom a\na -> aaa\n", 1},
-                                         std::pair{"axiom a\na -> ab\nb -> b\n", 1}}) {
+    for (const auto& [answer, status] :
+         {std::pair{"axiom a\na -> aa\n", 0}, std::pair{"axiom a\na -> aaa\n", 1},
+          std::pair{"axiom a\na -> ab\nb -> b\n", 1}}) {
         INFO(answer);
         const auto marked = ask("mark", text, answer);
         CHECK(marked.head["status"] == status);
-        CHECK(marked.text ==
-              run("lesson --json '" + file + "' '" + scratch.file("answer.lsys", answer) + "'")
-                  .out);
+        CHECK(
+            marked.text ==
+            run("lesson --json '" + file + "' '" + scratch.file("answer.lsys", answer) + "'").out);
         ++compared;
     }
     CHECK(compared == 3);

@@ -115,7 +115,8 @@ TEST_CASE("a page of another origin, and a name that was made to lead here") {
               .status == 415);
 }
 
-TEST_CASE("a studio for a lecture hall is asked by the machine's names and numbers, and by no others") {
+TEST_CASE(
+    "a studio for a lecture hall is asked by the machine's names and numbers, and by no others") {
     const Studio studio({"--host", "0.0.0.0", "--timeout", "1"});
     REQUIRE(studio.port > 0);
     const std::string port = ":" + std::to_string(studio.port);
@@ -153,8 +154,10 @@ TEST_CASE("path traversal") {
     scratch.file("mine/own.lsys", "axiom o\n");
     scratch.file("mine/below/deep.lsys", "axiom d\n");
     scratch.file("mine/notes.txt", "nothing for a page");
-    scratch.file("mine/own.exercise", "exercise One\ntask Write a.\nanswer word\nshow answer == {a}\n");
-    scratch.file("secret.exercise", "exercise Two\ntask Write b.\nanswer word\nshow answer == {b}\n");
+    scratch.file("mine/own.exercise",
+                 "exercise One\ntask Write a.\nanswer word\nshow answer == {a}\n");
+    scratch.file("secret.exercise",
+                 "exercise Two\ntask Write b.\nanswer word\nshow answer == {b}\n");
     std::filesystem::create_symlink(scratch.path() / "secret.lsys",
                                     scratch.path() / "mine/link.lsys");
     const Studio studio({(scratch.path() / "mine").string()});

@@ -249,10 +249,14 @@ Scaling mass(const PointSet& points, const Sandboxes& sandboxes, const Budget& b
     std::vector<double> means = masses.means(static_cast<double>(centres.points.size()));
     for (double& mean : means) mean -= 1;  // the centre itself
     const ScaleRange range = points_range(points, radii, means, "radii");
-    std::vector<double> pairs = means;
-    for (double& pair : pairs) pair *= static_cast<double>(centres.points.size());
     Scaling found = fitted(std::move(radii), std::move(means), range, points.columns);
-    heed_noise(found, pairs, points);
+    if (points.detail > 0 || points.points.size() < points_that_tell) return found;
+    // All pairs tell more of noise than those of the centres.
+    const Scaling pairs = correlation(points, {}, budget);
+    if (pairs.noise == 0) return found;
+    found.noise = pairs.noise;
+    found.estimate = pairs.estimate;
+    found.because = "by the correlation sum: " + pairs.because;
     return found;
 }
 

@@ -720,7 +720,7 @@ void check_synchronised(const Obligation& task) {
     const System& system = without_erasing(task);
     const std::uint64_t delay = task.proof.at("delay").number();
     if (delay >= most_letters) not_judged("windows are more than are looked at");
-    const std::size_t length = delay + 1;
+    const std::size_t length = static_cast<std::size_t>(delay) + 1;
     std::map<Word, std::set<std::size_t>> cuts;  // that all images have in common
     for (const Word& word : factors_of(system, system.axiom, length, task.budget)) {
         std::set<std::size_t> ends{0};

@@ -91,7 +91,12 @@ void check_centres(const Sandboxes& sandboxes) {
 constexpr double pairs_that_tell = 1000;  // their number is then known to about 3 %
 constexpr std::size_t points_that_tell = 5000;
 
-/// Up to which slope they bend as those of noisy points do; nothing if they do not.
+/// Whether there are enough points, and no cells of a picture, to tell noise.
+bool may_show_noise(const PointSet& points) {
+    return points.detail == 0 && points.columns >= 2 && points.points.size() >= points_that_tell;
+}
+
+/// Whether slopes bend to the dimension of the space as those of noisy points do.
 bool bend_to(const std::vector<double>& slopes, double space) {
     constexpr double filled = 0.08, least = 0.12, stays = 0.65, gone = 0.36;
     const std::size_t n = slopes.size();
@@ -127,7 +132,7 @@ Distance distance_of(double dimension, int space, double noise, const std::vecto
 
 /// Frees the estimate of noise, if there is any. `pairs` is how many there are within each radius.
 void heed_noise(Scaling& scaling, const std::vector<double>& pairs, const PointSet& points) {
-    if (points.detail > 0 || points.columns < 2 || points.points.size() < points_that_tell) return;
+    if (!may_show_noise(points)) return;
     std::vector<double> slopes;
     for (std::size_t i = 0; i + 1 < pairs.size() && pairs[i + 1] >= pairs_that_tell; ++i)
         slopes.push_back(scaling.slopes[i]);
@@ -250,7 +255,7 @@ Scaling mass(const PointSet& points, const Sandboxes& sandboxes, const Budget& b
     for (double& mean : means) mean -= 1;  // the centre itself
     const ScaleRange range = points_range(points, radii, means, "radii");
     Scaling found = fitted(std::move(radii), std::move(means), range, points.columns);
-    if (points.detail > 0 || points.points.size() < points_that_tell) return found;
+    if (!may_show_noise(points)) return found;
     // All pairs tell more of noise than those of the centres.
     const Scaling pairs = correlation(points, {}, budget);
     if (pairs.noise == 0) return found;

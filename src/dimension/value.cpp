@@ -492,9 +492,12 @@ std::string CarpetDimension::decimal(int digits) const {
 }
 
 std::optional<Rational> DimensionFormula::rational() const {
-    if (const auto* const carpet = std::get_if<CarpetDimension>(&formula_))
-        return carpet->rational();
-    return log_ratio() ? log_ratio()->rational() : std::nullopt;
+    return std::visit(
+        [](const auto& formula) -> std::optional<Rational> {
+            if constexpr (requires { formula.rational(); }) return formula.rational();
+            return std::nullopt;
+        },
+        formula_);
 }
 
 Ball DimensionFormula::enclosure(long bits) const {

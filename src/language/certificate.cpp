@@ -106,6 +106,14 @@ namespace {
 
 using Kind = LanguageTree::Kind;
 
+/// A statement about the word of a system, with what its letters are called.
+template <class Said>
+Json about_word(Json statement, const Said& said) {
+    statement["system"] = said.system->name;
+    for (const auto& [letter, name] : said.coding) statement["coding"][letter] = name;
+    return statement;
+}
+
 Json root_json(const ClaimedNumber& number) {
     Json polynomial = Json::array();
     for (const Integer& one : number.polynomial.coefficients())
@@ -284,22 +292,15 @@ struct StatementWriter {
         return dimension("boundary", said.name, said.dimension);
     }
     Json operator()(const HoldsInWord& said) const {
-        Json result{{"first order", to_json(*said.says)}, {"system", said.system->name}};
-        for (const auto& [letter, name] : said.coding) result["coding"][letter] = name;
-        return result;
+        return about_word({{"first order", to_json(*said.says)}}, said);
     }
     Json operator()(const CountsInWord& said) const {
-        Json result = to_json(*said.says);
-        result["system"] = said.system->name;
-        for (const auto& [letter, name] : said.coding) result["coding"][letter] = name;
-        return result;
+        return about_word(to_json(*said.says), said);
     }
     Json operator()(const HasCriticalExponent& said) const {
-        Json result{{"critical exponent", root_json(said.number)},
-                    {"compared", to_string(said.comparison)},
-                    {"system", said.system->name}};
-        for (const auto& [letter, name] : said.coding) result["coding"][letter] = name;
-        return result;
+        return about_word({{"critical exponent", root_json(said.number)},
+                           {"compared", to_string(said.comparison)}},
+                          said);
     }
     Json operator()(const IsCircular& said) const { return {{"circular", said.system->name}}; }
     Json operator()(const Joint& said) const {

@@ -41,6 +41,24 @@
 
 namespace algae {
 
+bool is_so(Comparison comparison, std::strong_ordering order) {
+    switch (comparison) {
+        case Comparison::equal:
+            return order == 0;
+        case Comparison::unequal:
+            return order != 0;
+        case Comparison::less:
+            return order < 0;
+        case Comparison::at_most:
+            return order <= 0;
+        case Comparison::greater:
+            return order > 0;
+        case Comparison::at_least:
+            return order >= 0;
+    }
+    return false;
+}
+
 namespace {
 
 constexpr std::uint64_t highest_order = 2'000, most_points = 20'000, latest_generation = 100'000;
@@ -290,22 +308,7 @@ public:
     }
 
     bool holds(const Point& point) {
-        const int found = sign_of(difference(point));
-        switch (said_.comparison) {
-            case Comparison::equal:
-                return found == 0;
-            case Comparison::unequal:
-                return found != 0;
-            case Comparison::less:
-                return found < 0;
-            case Comparison::at_most:
-                return found <= 0;
-            case Comparison::greater:
-                return found > 0;
-            case Comparison::at_least:
-                return found >= 0;
-        }
-        return false;
+        return is_so(said_.comparison, sign_of(difference(point)) <=> 0);
     }
 
     /// The order of a term in one number. `moved`: what its numbers are of others that are free. Throws Error where it is no

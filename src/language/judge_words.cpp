@@ -533,24 +533,6 @@ ClaimedNumber as_root(const Frequency& number, const Rate& rate) {
     }
 }
 
-bool is_so(Comparison comparison, std::strong_ordering order) {
-    switch (comparison) {
-        case Comparison::equal:
-            return order == 0;
-        case Comparison::unequal:
-            return order != 0;
-        case Comparison::less:
-            return order < 0;
-        case Comparison::at_most:
-            return order <= 0;
-        case Comparison::greater:
-            return order > 0;
-        case Comparison::at_least:
-            return order >= 0;
-    }
-    return false;
-}
-
 /// The least power of the morphism that takes a word to a power, above 1, of a conjugate of it; nothing if none up to the number of letters is one.
 std::optional<std::uint64_t> power_that_repeats(const D0L& system, const Word& word,
                                                 const Budget& budget) {
@@ -581,11 +563,6 @@ std::pair<bool, std::optional<steps::RepeatsForEver>> growing_repetition(const s
     return {grows, std::nullopt};
 }
 
-bool erases(const D0L& system) {
-    return std::any_of(system.letters.begin(), system.letters.end(),
-                       [&](Symbol letter) { return system.successor(letter).empty(); });
-}
-
 }  // namespace
 
 Answer judge_critical_exponent(const HasCriticalExponent& said, const Alphabet& alphabet,
@@ -601,13 +578,12 @@ Answer judge_critical_exponent(const HasCriticalExponent& said, const Alphabet& 
     if (!found)
         found = critical_exponent(infinite_word(*said.system, said.coding, alphabet), budget);
     if (found->infinite) {
-        const bool holds = said.comparison == Comparison::unequal ||
-                           said.comparison == Comparison::greater ||
-                           said.comparison == Comparison::at_least;
+        const bool holds = is_so(said.comparison, std::strong_ordering::greater);
         D0L own = system;  // whose words begin the infinite word
         own.axiom = {Numeration(system).letters().front()};
         std::optional<steps::RepeatsForEver> proof;
-        if (!erases(system)) proof = growing_repetition(said.system->name, own, budget).second;
+        if (is_propagating(system))
+            proof = growing_repetition(said.system->name, own, budget).second;
         return decided(holds, proof ? *proof : steps::RepeatsForEver{said.system->name, {}, 1});
     }
     Rate rate;
@@ -658,7 +634,7 @@ bool is_synchronised(const D0L& system, std::size_t length, const Budget& budget
 
 Answer judge_circular(const IsCircular& said, const Budget& budget) {
     const D0L system = as_d0l(*said.system);
-    if (erases(system))
+    if (!is_propagating(system))
         return undecided("Circular systems have morphisms that erase no letter, and that of " +
                          said.system->name + " erases one.");
     const bool is_injective = made_injective({system.axiom, system.rules}, budget).steps == 0;

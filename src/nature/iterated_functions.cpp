@@ -180,8 +180,10 @@ std::optional<std::vector<double>> IteratedFunctions::exact_spectrum(std::span<c
     std::vector<double> ratios;
     for (const Map& map : maps) {
         const auto ratio = exact_ratio(map);
-        if (!ratio || sign(enclosure(*ratio, 64)) != 1) return std::nullopt;
-        ratios.push_back(enclosure(*ratio, 64).midpoint());
+        if (!ratio) return std::nullopt;
+        const Ball value = enclosure(*ratio, 64);
+        if (sign(value) != 1) return std::nullopt;
+        ratios.push_back(value.midpoint());
     }
     if (separation(*this, {0}, budget) != Separation::apart) return std::nullopt;
     const std::vector<double> chance = chances();

@@ -715,7 +715,6 @@ std::unique_ptr<Figure> rauzy_figure(const D0L& system, RauzyPicture picture,
     const auto add = [&](std::size_t letter, Point by, double paler) {
         Path path;
         path.filled = true;
-        path.colour = static_cast<std::uint32_t>(letter);
         path.paint = mixed(colours[letter], {1, 1, 1}, paler);
         for (const Point& corner : patches.polygons()[letter])
             path.points.push_back({corner.x + by.x, corner.y + by.y});
@@ -744,9 +743,7 @@ std::unique_ptr<Figure> rauzy_figure(const D0L& system, RauzyPicture picture,
                 for (std::size_t a = 0; a < 3; ++a) add(a, by, paler);
             }
     }
-    FigureStyle style;
-    style.colours = {"#b5482a", "#e0a33a", "#2f6f8f"};
-    return std::make_unique<PathFigure>(std::move(paths), style);
+    return std::make_unique<PathFigure>(std::move(paths));
 }
 
 }  // namespace algae

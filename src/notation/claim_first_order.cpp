@@ -278,20 +278,12 @@ bool parse_critical_exponent(std::string_view text, Statement& statement, ClaimR
     if (!take_sign(rest, ")")) throw unexpected("')'", rest.data());
     const InfiniteWord word(name, reading);
     HasCriticalExponent said{word.system, Comparison::equal, {}, word.coding};
-    static constexpr std::pair<std::string_view, Comparison> signs[] = {
-        {"<=", Comparison::at_most}, {"≤", Comparison::at_most}, {">=", Comparison::at_least},
-        {"≥", Comparison::at_least}, {"<", Comparison::less},    {">", Comparison::greater},
-        {"!=", Comparison::unequal}, {"≠", Comparison::unequal}, {"==", Comparison::equal},
-        {"=", Comparison::equal}};
-    bool is_compared = false;
-    for (const auto& [sign, comparison] : signs) {
-        if (!rest.starts_with(sign)) continue;
-        said.comparison = comparison;
-        rest = trimmed(rest.substr(sign.size()));
-        is_compared = true;
-        break;
-    }
-    if (!is_compared) throw unexpected("'=', '!=', '<', '<=', '>' or '>='", rest.data());
+    const auto sign = std::find_if(std::begin(comparison_signs), std::end(comparison_signs),
+                                   [&](std::string_view one) { return rest.starts_with(one); });
+    if (sign == std::end(comparison_signs))
+        throw unexpected("'=', '!=', '<', '<=', '>' or '>='", rest.data());
+    said.comparison = comparisons_said[sign - std::begin(comparison_signs)];
+    rest = trimmed(rest.substr(sign->size()));
     const char* here = rest.data();
     const char* const end = here + rest.size();
     said.number = parse_claimed_number(here, end);

@@ -37,7 +37,8 @@ struct Found {
     std::size_t which = 0;
 };
 
-Found first_outside(std::string_view text, std::initializer_list<std::string_view> signs) {
+template <std::size_t count>
+Found first_outside(std::string_view text, const std::string_view (&signs)[count]) {
     std::size_t depth = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char byte = text[i];
@@ -528,9 +529,7 @@ bool is_about_numbers(std::string_view text, const ClaimReading& reading) {
     return any && (has_digit || !has_new);
 }
 
-Found comparison_of(std::string_view text) {
-    return first_outside(text, {"==", "=", "!=", "≠", "<=", "≤", "<", ">=", "≥", ">"});
-}
+Found comparison_of(std::string_view text) { return first_outside(text, comparison_signs); }
 
 }  // namespace
 
@@ -554,10 +553,6 @@ bool parse_numbers(std::string_view text, Statement& statement, ClaimReading& re
         return false;
     if (sign.at == std::string_view::npos)
         throw unexpected("one of = != < <= > >= and a number", text.data() + text.size());
-    static constexpr Comparison signs[] = {
-        Comparison::equal,    Comparison::equal,   Comparison::unequal, Comparison::unequal,
-        Comparison::at_most,  Comparison::at_most, Comparison::less,    Comparison::at_least,
-        Comparison::at_least, Comparison::greater};
     const std::string_view right = text.substr(sign.at + sign.size);
     if (const Found second = comparison_of(right); second.at != std::string_view::npos)
         throw SyntaxError{right.data() + second.at,
@@ -567,7 +562,7 @@ bool parse_numbers(std::string_view text, Statement& statement, ClaimReading& re
     ComparesNumbers said;
     said.left = terms.whole(text.substr(0, sign.at));
     said.right = terms.whole(right);
-    said.comparison = signs[sign.which];
+    said.comparison = comparisons_said[sign.which];
     said.systems = terms.systems();
     said.turtles = terms.turtles();
     said.numbers = terms.numbers();

@@ -340,6 +340,11 @@ Statement Reader::of_dimension(const Field& field, Statement read) const {
 
 Statement Reader::of_systems(const Field& field, Statement read) const {
     using Kind = Statement::Kind;
+    const auto read_coding = [&] {
+        if (!field.has("coding")) return;
+        for (const auto& [name, image] : field.at("coding").object())
+            read.coding[symbol(image, name)] = image.text();
+    };
     if (field.has("derives")) {
         if (rewritings_.contains(field.at("system").text()))
             return of_modules(field, std::move(read));
@@ -360,9 +365,7 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
             field.only({"first order", "system", "coding"});
         read.kind = counts ? Kind::counts : Kind::first_order;
         read.systems = {named_system(field.at("system"))};
-        if (field.has("coding"))
-            for (const auto& [name, image] : field.at("coding").object())
-                read.coding[symbol(image, name)] = image.text();
+        read_coding();
         if (counts)
             read.counted = std::make_shared<const CountedPlaces>(read_counts(field));
         else
@@ -387,9 +390,7 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         static constexpr std::array comparisons = {"=", "!=", "<", "<=", ">", ">="};
         if (!std::count(comparisons.begin(), comparisons.end(), read.family))
             compared.fail("numbers are not compared by '" + read.family + "'");
-        if (field.has("coding"))
-            for (const auto& [name, image] : field.at("coding").object())
-                read.coding[symbol(image, name)] = image.text();
+        read_coding();
         return read;
     }
     if (field.has("increasing")) {

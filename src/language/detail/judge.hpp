@@ -231,6 +231,9 @@ Answer judge_counts(const CountsInWord& said, const Alphabet& alphabet, const Bu
 Answer judge_infinite_word(const HoldsInWord& said, const Alphabet& alphabet,
                            const Budget& budget = {});
 
+/// Whether numbers that stand in an order are as a comparison says.
+bool is_so(Comparison comparison, std::strong_ordering order);
+
 /// How the critical exponent of an infinite word compares with a number. Throws Error where there is no such word.
 Answer judge_critical_exponent(const HasCriticalExponent& said, const Alphabet& alphabet,
                                const Budget& budget);

@@ -191,6 +191,14 @@ Language parse_powers(std::string_view inside, ClaimReading& reading);
 /// decimal number behind a `=` is what comes before it, rounded. Throws `SyntaxError`.
 DimensionValue parse_dimension_value(const char*& here, const char* end);
 
+/// The signs that compare numbers, each before those that it begins with, and what they say.
+inline constexpr std::string_view comparison_signs[] = {
+    "==", "=", "!=", "≠", "<=", "≤", "<", ">=", "≥", ">"};
+inline constexpr Comparison comparisons_said[] = {
+    Comparison::equal,    Comparison::equal,   Comparison::unequal, Comparison::unequal,
+    Comparison::at_most,  Comparison::at_most, Comparison::less,    Comparison::at_least,
+    Comparison::at_least, Comparison::greater};
+
 /// A real algebraic number at the place: `7/2`, `2 + (1+sqrt(5))/2`, or `the largest real root of 2x^3 - 12x^2 + 22x - 13`. Throws
 /// `SyntaxError`.
 ClaimedNumber parse_claimed_number(const char*& here, const char* end);

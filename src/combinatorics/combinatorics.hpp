@@ -10,7 +10,8 @@
 #include "word/word.hpp"
 
 // combinatorics: combinatorics on words, of one finite word: periods and borders, conjugates, Lyndon words, palindromes,
-// factors, runs and squares; and of the infinite word of a morphism: how many factors of each length it has, for all lengths. Words are numbered from 0; the order of letters is that of their numbers, so whoever wants
+// factors, runs and squares; of a morphism: what its images say; and of the infinite word of a morphism: how many factors of each length it has,
+// for all lengths, and which families it belongs to. Words are numbered from 0; the order of letters is that of their numbers, so whoever wants
 // another order numbers them otherwise (`Alphabet::ranks`). n is the length of the word.
 //
 // Terms are those of Lothaire, "Algebraic Combinatorics on Words" (2002): a period p of w has w[i] = w[i + p] wherever both are;
@@ -109,6 +110,62 @@ struct AbelianPeriod {
 /// Example: abelian_periods({0, 1, 0, 0, 1})[0] == AbelianPeriod{1, 2}
 std::vector<AbelianPeriod> abelian_periods(const Word& word, const Budget& budget = {});
 
+/// Where the factors of the factorisation of Lempel and Ziv begin: each is the longest word that begins at an earlier place, too, where
+/// it may overlap itself, or else a new letter (Crochemore 1986). O(n) after the suffix array. Throws as `palindromic_factors`.
+///
+/// Example: lempel_ziv_factorisation({0, 1, 0, 1, 0, 0}) == std::vector<std::size_t>{0, 1, 2, 5}
+std::vector<std::size_t> lempel_ziv_factorisation(const Word& word, const Budget& budget = {});
+
+/// What a word over at most two letters is among the finite Sturmian words (Lothaire 2002, chapter 2).
+struct SturmianProperties {
+    /// Two factors of one length differ by at most one in the number of a letter: it is a factor of a Sturmian word.
+    bool balanced = false;
+    /// Coprime periods p and q with n = p + q - 2; then it is a palindrome.
+    bool central = false;
+    bool standard = false;     // a letter, or a central word with both letters behind it
+    bool christoffel = false;  // balanced and a Lyndon word, in the order of letters
+};
+
+/// Nothing if the word has more than two letters. O(n).
+///
+/// Example: sturmian_properties({0, 0, 1, 0, 1})->christoffel
+std::optional<SturmianProperties> sturmian_properties(const Word& word);
+
+/// What the images say of a morphism from the words over its domain into themselves, d letters.
+struct MorphismProperties {
+    std::size_t shortest = 0, longest = 0;          // image
+    bool prefix_code = false, suffix_code = false;  // no image begins, or ends, another one
+    /// Two different words with the same image, with as few letters in all as can be; none if the images are a code, so that the morphism is injective.
+    std::optional<std::pair<Word, Word>> same_image;
+    /// The images begin, or end, with different letters.
+    bool left_marked = false, right_marked = false;
+    /// How many conjugates it has, which move a common first letter of all images behind them, or back; with itself.
+    std::size_t conjugates = 1;
+    bool cyclic = false;  // all images are powers of one word
+    /// The images are p q, or all are q p, with one palindrome p and palindromes q (Hof, Knill and Simon 1995); it, or a conjugate.
+    bool class_p = false, conjugate_of_class_p = false;
+    bool automorphism = false;  // of the free group
+    bool sturmian = false;      // an automorphism with two letters (Wen and Wen 1994)
+    /// A shortest word without squares whose image has one. `square_free` says nothing if there are too many words to try.
+    std::optional<Word> makes_square;
+    std::optional<bool> square_free;
+    std::optional<bool> overlap_free;  // of two letters, without empty images
+    Polynomial characteristic;         // of the matrix of numbers of letters
+    Integer determinant;
+    bool irreducible = false;  // the polynomial
+    /// The greatest eigenvalue is above 1, and its conjugates are inside the unit circle (a Pisot number); or one is inside and the others on it (a Salem number).
+    bool pisot = false, salem = false;
+};
+
+/// Throws Error if an image has a letter outside the domain, and BoundReached at the end of the time.
+///
+/// Codes are decided by dangling suffixes (Sardinas and Patterson 1953), automorphisms by folding (Stallings 1983), morphisms without squares by the
+/// images of short words (Crochemore 1982), those without overlaps by that of abbabaab (Berstel and Seebold 1993). O(s^2) for images of s letters
+/// in all, but for square-free words, of which at most 100,000 are tried.
+///
+/// Example: morphism_properties(Morphism({{0, {0, 1}}, {1, {0}}})).sturmian
+MorphismProperties morphism_properties(const Morphism& h, const Budget& budget = {});
+
 /// Bispecial factors of an infinite word whose lengths l(0), l(1), ... satisfy a linear recurrence.
 struct BispecialChain {
     std::int64_t multiplicity = 0;  // of each: bilateral, not 0
@@ -130,6 +187,13 @@ struct ComplexityForAll {
     std::vector<BispecialChain> chains;
     /// How many derived words there are before they repeat, and how many of them repeat.
     std::size_t before = 0, period = 0;
+    /// The extension graph of each factor, which joins the letters before it with those behind it where both stand around it, is a tree (Berthe et al. 2015).
+    bool dendric = false;
+    /// Every bispecial factor has a letter that stands on one side of it at least, always the same one: a word is episturmian, with all reversals of factors
+    /// and at most one left special factor of each length (Droubay, Justin and Pirillo 2001).
+    bool episturmian = false;
+    /// That, and it has all letters on the other side, so that there are (d-1) n + 1 factors for d letters (Arnoux and Rauzy 1991); Sturmian if d is 2.
+    bool arnoux_rauzy = false;
 
     /// p(n) for n >= from; where there are no chains, and only then.
     struct Linear {
@@ -149,6 +213,42 @@ struct ComplexityForAll {
 ///
 /// Example: complexity_for_all(Morphism({{0, {0, 1}}, {1, {0}}}), 0).value(1000) == 1001
 ComplexityForAll complexity_for_all(const Morphism& h, Symbol a, const Budget& budget = {});
+
+/// An infinite word of a morphism, cut into the returns to its first letter, which are its letters in the derived word: these are of the word that
+/// comes next in the list.
+struct DerivedWord {
+    Morphism h;  // letters 0, 1, ... in the order of first occurrence in the word
+    std::vector<Word> returns;
+};
+/// After the last one come those from `before` on again: so the derived words of all beginnings of the first one, which is the word itself, are here.
+struct DerivedWords {
+    std::vector<DerivedWord> words;
+    std::size_t before = 0;
+};
+
+/// Throws as `complexity_for_all`.
+///
+/// Example: derived_words(Morphism({{0, {0, 1}}, {1, {0}}}), 0).words.size() == 1
+DerivedWords derived_words(const Morphism& h, Symbol a, const Budget& budget = {});
+
+/// What is known of the infinite word of a primitive morphism whose images all have q letters, if it is not periodic (Dekking 1978).
+struct ConstantLength {
+    std::size_t length = 0;  // q
+    /// The greatest number without a divisor in common with q that divides all distances of the first letter from where it comes back.
+    std::size_t height = 1;
+    /// The least number of blocks of `height` letters that stand at one place of the images of all of them, under a power of the morphism. It is 1
+    /// exactly if the spectrum of the word is pure point.
+    std::size_t column_number = 0;
+    /// Every letter comes back in some distance for ever (Jacobs and Keane 1969).
+    bool toeplitz = false;
+};
+
+/// Of the word that h(h(h(...(a)...))) tends to. Nothing if not all images have q >= 2 letters, h is not primitive or the word is periodic. Throws as
+/// `complexity_for_all`, and BoundReached if there are more than 100,000 sets of blocks.
+///
+/// Example: constant_length(Morphism({{0, {0, 1}}, {1, {0, 0}}}), 0)->toeplitz
+std::optional<ConstantLength> constant_length(const Morphism& h, Symbol a,
+                                              const Budget& budget = {});
 
 /// Repetitions of an infinite word that come of each other: words v that occur again p letters later, which no letter on either side
 /// prolongs, so factors of |v| + p letters with the period p. Numbers of letters of v and of the p letters follow

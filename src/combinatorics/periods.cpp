@@ -80,6 +80,70 @@ std::vector<std::size_t> lyndon_factorisation(const Word& word) {
     return found;
 }
 
+namespace {
+
+/// Whether a word of letters 0 and 1 is a factor of a Sturmian word. One letter stands alone, and between two of these stand k or k + 1 of the other
+/// one: then those blocks, as letters, are such a word again, with the beginning and the end where these are too long to be parts of the shorter
+/// block.
+bool is_balanced(std::vector<char> word) {
+    for (;;) {
+        const auto has_two = [&](char letter) {
+            for (std::size_t i = 1; i < word.size(); ++i)
+                if (word[i - 1] == letter && word[i] == letter) return true;
+            return false;
+        };
+        if (has_two(1)) {
+            if (has_two(0)) return false;
+            for (char& letter : word) letter = 1 - letter;
+        }
+        std::vector<std::size_t> blocks{0};  // of 0, before and behind each 1
+        for (const char letter : word)
+            if (letter == 0)
+                ++blocks.back();
+            else
+                blocks.push_back(0);
+        if (blocks.size() < 3) return true;
+        const auto [least, most] = std::minmax_element(blocks.begin() + 1, blocks.end() - 1);
+        const std::size_t k = *least, ends = std::max(blocks.front(), blocks.back());
+        if (*most > k + 1 || ends > k + 1) return false;
+        if (*most == k && ends <= k) return true;
+        std::vector<char> next;
+        if (blocks.front() > k) next.push_back(1);
+        for (std::size_t i = 1; i + 1 < blocks.size(); ++i) next.push_back(blocks[i] > k ? 1 : 0);
+        if (blocks.back() > k) next.push_back(1);
+        word = std::move(next);
+    }
+}
+
+}  // namespace
+
+std::optional<SturmianProperties> sturmian_properties(const Word& word) {
+    const std::size_t n = word.size();
+    const Symbol least = n == 0 ? 0 : *std::ranges::min_element(word),
+                 greatest = n == 0 ? 0 : *std::ranges::max_element(word);
+    std::vector<char> letters;
+    for (const Symbol letter : word) {
+        if (letter != least && letter != greatest) return std::nullopt;
+        letters.push_back(letter != least);
+    }
+    SturmianProperties found;
+    found.balanced = is_balanced(letters);
+    const auto is_central = [](const Word& part) {
+        const std::size_t sum = part.size() + 2;
+        std::vector<std::size_t> all = periods(part);
+        all.push_back(part.size() + 1);  // longer ones than the word are periods, too
+        return std::ranges::any_of(all, [&](std::size_t p) {
+            const std::size_t q = sum - p;
+            return std::gcd(p, q) == 1 && std::ranges::binary_search(all, q);
+        });
+    };
+    found.central = is_central(word);
+    found.standard = n == 1 || (n > 1 && word[n - 1] != word[n - 2] &&
+                                is_central(Word(word.begin(), word.end() - 2)));
+    found.christoffel = found.balanced && lyndon_factorisation(word).size() == 1;
+    return found;
+}
+
 std::vector<AbelianPeriod> abelian_periods(const Word& word, const Budget& budget) {
     const std::size_t n = word.size();
     std::vector<Symbol> letters(word);

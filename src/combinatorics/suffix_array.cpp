@@ -139,4 +139,31 @@ std::vector<std::uint64_t> factor_counts(const Word& word, const Budget& budget)
     return counts;
 }
 
+std::vector<std::size_t> lempel_ziv_factorisation(const Word& word, const Budget& budget) {
+    const std::size_t n = word.size();
+    const SuffixArray suffixes(word, budget);
+    budget.check_memory(n * (sizeof(std::uint32_t) + sizeof(std::pair<std::size_t, std::size_t>)),
+                        "the factorisation of a word");
+    // By place: the longest factor from there on that begins earlier, too. Of the suffixes that begin earlier the nearest ones in order, on either side,
+    // have the most in common with this one (Crochemore and Ilie 2008).
+    std::vector<std::uint32_t> longest(n, 0);
+    std::vector<std::pair<std::size_t, std::size_t>>
+        open;  // place, and what it has in common with that below
+    for (std::size_t rank = 0; rank <= n; ++rank) {
+        if (rank % 65536 == 0) budget.check();
+        std::size_t common = rank < n ? suffixes.common(rank) : 0;
+        while (!open.empty() && (rank == n || suffixes[rank] < open.back().first)) {
+            const auto [place, before] = open.back();
+            longest[place] = static_cast<std::uint32_t>(std::max(before, common));
+            common = std::min(before, common);
+            open.pop_back();
+        }
+        if (rank < n) open.emplace_back(suffixes[rank], common);
+    }
+    std::vector<std::size_t> found;
+    for (std::size_t begin = 0; begin < n; begin += std::max<std::size_t>(1, longest[begin]))
+        found.push_back(begin);
+    return found;
+}
+
 }  // namespace algae

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <atomic>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -113,6 +114,10 @@ void compare(const std::string& text) {
     for (const AbelianPeriod& one : abelian_periods(word))
         abelian.emplace_back(one.head, one.period);
     expect(text, abelian == oracle::abelian_periods_of(text));
+    expect(text, lempel_ziv_factorisation(word) == oracle::lempel_ziv_of(text));
+    const auto sturmian = sturmian_properties(word);
+    expect(text, sturmian.has_value() == (std::set<char>(text.begin(), text.end()).size() <= 2));
+    if (sturmian) expect(text, sturmian->balanced == oracle::is_balanced(text));
     if (text.empty()) return;
     const std::set<std::string> conjugates = oracle::conjugates_of(text);
     expect(text, text_of(least_conjugate(word)) == *conjugates.begin());
@@ -143,6 +148,46 @@ TEST_CASE("all words of few letters are what the definitions say") {
     }
     MESSAGE(compared, " words");
     CHECK(compared == 1023 + 1093);
+}
+
+TEST_CASE("central, standard and Christoffel words are those of their definitions") {
+    constexpr std::size_t longest = 14;
+    const std::set<std::string> standard = oracle::standard_words(longest),
+                                christoffel = oracle::christoffel_words(longest);
+    std::size_t compared = 0, central = 0, balanced = 0;
+    std::vector<std::string> words{""};
+    for (std::size_t length = 0; length <= longest; ++length) {
+        std::vector<std::string> longer;
+        for (const std::string& text : words) {
+            // The letters have their numbers in the word alone, so a word of the letter b is one of a.
+            const SturmianProperties found = *sturmian_properties(word_of(text));
+            INFO(text);
+            REQUIRE(found.balanced == oracle::is_balanced(text));
+            REQUIRE(found.central == oracle::is_central(text));
+            REQUIRE(found.standard == standard.contains(text));
+            REQUIRE(found.christoffel == christoffel.contains(text));
+            central += found.central;
+            balanced += found.balanced;
+            ++compared;
+            for (const char letter : {'a', 'b'}) longer.push_back(text + letter);
+        }
+        words = std::move(longer);
+    }
+    CHECK(compared == 32767);
+    // The sums over n of Euler's function at n + 2, and of 1 + (n - k + 1) times that at k for k = 1, ..., n (de Luca and Mignosi 1994).
+    std::size_t known_central = 0, known_balanced = 0;
+    const auto coprime = [](std::size_t n) {
+        std::size_t found = 0;
+        for (std::size_t k = 1; k <= n; ++k) found += std::gcd(k, n) == 1;
+        return found;
+    };
+    for (std::size_t n = 0; n <= longest; ++n) {
+        known_central += coprime(n + 2);
+        ++known_balanced;
+        for (std::size_t k = 1; k <= n; ++k) known_balanced += (n - k + 1) * coprime(k);
+    }
+    CHECK(central == known_central);
+    CHECK(balanced == known_balanced);
 }
 
 TEST_CASE("words with repetitions are what the definitions say") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace algae::oracle {
 
@@ -147,6 +148,74 @@ std::vector<std::pair<std::size_t, std::size_t>> abelian_periods_of(const std::s
                 found.emplace_back(head, period);
                 break;
             }
+        }
+    return found;
+}
+
+std::vector<std::size_t> lempel_ziv_of(const std::string& word) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < word.size();) {
+        std::size_t longest = 0;
+        for (std::size_t j = 0; j < i; ++j) {
+            std::size_t same = 0;
+            while (i + same < word.size() && word[j + same] == word[i + same]) ++same;
+            longest = std::max(longest, same);
+        }
+        found.push_back(i);
+        i += longest == 0 ? 1 : longest;
+    }
+    return found;
+}
+
+bool is_balanced(const std::string& word) {
+    for (const char letter : std::set<char>(word.begin(), word.end()))
+        for (std::size_t length = 1; length < word.size(); ++length) {
+            std::set<std::ptrdiff_t> counts;
+            for (std::size_t i = 0; i + length <= word.size(); ++i) {
+                const std::string part = word.substr(i, length);
+                counts.insert(std::count(part.begin(), part.end(), letter));
+            }
+            if (*counts.rbegin() - *counts.begin() > 1) return false;
+        }
+    return true;
+}
+
+bool is_central(const std::string& word) {
+    for (const char before : {'a', 'b'})
+        for (const char behind : {'a', 'b'})
+            if (!is_balanced(before + word + behind)) return false;
+    return true;
+}
+
+std::set<std::string> standard_words(std::size_t longest) {
+    std::vector<std::pair<std::string, std::string>> pairs{{"a", "b"}};
+    std::set<std::string> found{"a", "b"};
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto [x, y] = pairs[i];
+        for (const auto& next : {std::pair(x, x + y), std::pair(y + x, y)}) {
+            if (next.first.size() > longest || next.second.size() > longest) continue;
+            found.insert(next.first);
+            found.insert(next.second);
+            pairs.push_back(next);
+        }
+    }
+    return found;
+}
+
+std::set<std::string> christoffel_words(std::size_t longest) {
+    std::set<std::string> found{"a", "b"};
+    for (std::size_t n = 2; n <= longest; ++n)
+        for (std::size_t up = 1; up < n; ++up) {
+            if (std::gcd(up, n) != 1) continue;
+            std::string word;
+            std::size_t x = 0, y = 0;
+            while (word.size() < n) {
+                // Up if the point above is not over the line from (0, 0) to (n - up, up).
+                const bool is_below = (y + 1) * (n - up) <= x * up;
+                word += is_below ? 'b' : 'a';
+                ++(is_below ? y : x);
+            }
+            found.insert(word);
         }
     return found;
 }

@@ -250,4 +250,45 @@ bool is_cut_in_one_way(const Rules& rules, const std::vector<std::set<std::strin
     return true;
 }
 
+Families families_of(const std::vector<std::set<std::string>>& factors, std::size_t longest) {
+    Families found;
+    const auto is_factor = [&](const std::string& word) {
+        return factors[word.size()].contains(word);
+    };
+    const std::set<std::string>& letters = factors[1];
+    for (std::size_t n = 0; n <= longest; ++n) {
+        std::size_t left_special = 0, full = 0;
+        for (const std::string& word : factors[n]) {
+            std::set<std::string> left, right;
+            for (const std::string& letter : letters) {
+                if (is_factor(letter + word)) left.insert(letter);
+                if (is_factor(word + letter)) right.insert(letter);
+            }
+            left_special += left.size() > 1;
+            full += left.size() == letters.size();
+            found.episturmian =
+                found.episturmian && is_factor(std::string(word.rbegin(), word.rend()));
+            if (left.size() < 2 || right.size() < 2) continue;
+            // A tree has one edge less than nodes, and no other letter once leaves are gone.
+            std::vector<std::pair<std::string, std::string>> edges;
+            for (const std::string& x : left)
+                for (const std::string& y : right)
+                    if (is_factor(x + word + y)) edges.emplace_back("<" + x, ">" + y);
+            const bool has_count = edges.size() + 1 == left.size() + right.size();
+            for (bool is_changed = true; is_changed;) {
+                std::map<std::string, int> degree;
+                for (const auto& [x, y] : edges) ++degree[x], ++degree[y];
+                is_changed = std::erase_if(edges, [&](const auto& edge) {
+                                 return degree[edge.first] == 1 || degree[edge.second] == 1;
+                             }) > 0;
+            }
+            found.dendric = found.dendric && has_count && edges.empty();
+        }
+        found.episturmian = found.episturmian && left_special <= 1;
+        found.arnoux_rauzy = found.arnoux_rauzy && left_special == 1 && full == 1;
+    }
+    found.arnoux_rauzy = found.arnoux_rauzy && found.episturmian;
+    return found;
+}
+
 }  // namespace algae::oracle

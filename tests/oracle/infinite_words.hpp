@@ -38,6 +38,13 @@ bool are_reversed(const std::set<std::string>& words);
 std::map<std::string, std::int64_t> bispecial_of(const std::vector<std::set<std::string>>& factors,
                                                  std::size_t longest);
 
+/// What the factors of at most so many letters show: all graphs of letters before and behind a word that has several of both are trees; all reversals
+/// are there, and of each length there is at most one word with several letters before it; and each such word has all letters.
+struct Families {
+    bool dendric = true, episturmian = true, arnoux_rauzy = true;
+};
+Families families_of(const std::vector<std::set<std::string>>& factors, std::size_t longest);
+
 /// The least R so that each factor of R letters has all factors of n; nothing if it is not among the lengths.
 std::optional<std::size_t> recurrence_of(const std::vector<std::set<std::string>>& factors,
                                          std::size_t n);

@@ -90,6 +90,7 @@ public:
         if (!report.infinite_word) return;
         ++infinite;
         compare_bispecial(report, windows);
+        if (report.for_all) compare_families(report, windows);
         compare_recurrence(report, factors);
         compare_proved(system, factors);
     }
@@ -212,6 +213,24 @@ private:
         for (std::size_t n = 0; n <= longest; ++n)
             equal("factor complexity for all n", report.for_all->value(Integer(n)),
                   Integer(factors[n].size()), "at " + std::to_string(n));
+    }
+
+    /// What is said of all factors holds of those in windows; what is denied mostly shows in them.
+    void compare_families(const FactorValues& report,
+                          const std::vector<std::set<std::string>>& windows) {
+        const oracle::Families known = oracle::families_of(windows, longest);
+        const auto one = [&](const std::string& name, bool found, bool seen) {
+            if (found) {
+                ++counts[name].systems;
+                equal(name, seen, true, "");
+            } else {
+                ++(seen ? counts[name].open : counts[name].systems);
+                ++counts[name].values;
+            }
+        };
+        one("dendric", report.for_all->dendric, known.dendric);
+        one("episturmian", report.for_all->episturmian, known.episturmian);
+        one("of Arnoux and Rauzy", report.for_all->arnoux_rauzy, known.arnoux_rauzy);
     }
 
     void compare_bispecial(const FactorValues& report,
@@ -378,7 +397,7 @@ TEST_CASE("words: every quantity of random morphisms is that of all windows") {
     CHECK(comparison.erasing * 10 >= wanted);
     CHECK(comparison.primitive * 10 >= wanted);
     CHECK(comparison.infinite * 3 >= wanted);
-    CHECK(comparison.counts.size() == 15);
+    CHECK(comparison.counts.size() == 18);
     for (const auto& one : comparison.counts) {
         INFO(one.first);
         CHECK(one.second.systems * 20 >= wanted);

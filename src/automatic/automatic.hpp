@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -243,8 +244,16 @@ CriticalExponent critical_exponent(const AutomaticWord& word, const Budget& budg
 /// Example: critical_exponent(d0l("a", {{'a', "aab"}, {'b', "a"}}), Budget()).value->exact() == "3+sqrt(2)"
 CriticalExponent critical_exponent(const D0L& system, const Budget& budget);
 
-/// Whether the reversal of each factor of the word is a factor. Throws as `decide_first_order`.
-bool is_closed_under_reversal(const AutomaticWord& word, const Budget& budget);
+/// A property of infinite words, and the statement that says it of T.
+struct WordProperty {
+    std::string_view name, says;
+};
+/// square-free, overlap-free, cube-free, aperiodic, recurrent, uniformly recurrent, closed under reversal, rich.
+std::span<const WordProperty> word_properties();
+/// Whether the word has the property of this name. Throws Error if there is none, and as `decide_first_order`.
+///
+/// Example: has_property(automatic_word(d0l("a", {{'a', "ab"}, {'b', "a"}}), [](Symbol a) { return std::to_string(a); }), "cube-free", Budget()) == false
+bool has_property(const AutomaticWord& word, std::string_view name, const Budget& budget);
 
 /// How far apart equal factors of an infinite word are.
 struct FactorRecurrence {

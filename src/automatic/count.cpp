@@ -312,12 +312,38 @@ ComplexityProofs complexity_proofs(const AutomaticWord& word, const Budget& budg
     return {proof(first), proof(relations.both(first, relation("palindrome(i, n)")))};
 }
 
-bool is_closed_under_reversal(const AutomaticWord& word, const Budget& budget) {
-    const FirstOrderStatement statement = read_first_order(
-        "for all i, n: for some s with s + 1 >= i + n: for all u, v with i <= u < i + n and "
-        "u + v = s: T[u] = T[v]",
-        "reversal", "T", word.letters);
-    return decide_first_order(statement, word, budget).holds;
+namespace {
+
+constexpr WordProperty properties[] = {
+    {"square-free", "not for some i, n with n >= 1: equal(i, i + n, n)"},
+    {"overlap-free", "not for some i, n with n >= 1: equal(i, i + n, n + 1)"},
+    {"cube-free", "not for some i, n with n >= 1: equal(i, i + n, 2n)"},
+    {"aperiodic", "not for some i, n with n >= 1: for all k with k >= i: T[k] = T[k + n]"},
+    {"recurrent", "for all i, n: for some j with j > i: equal(i, j, n)"},
+    {"uniformly recurrent",
+     "for all n: for some m: for all i, j: for some k with j <= k <= j + m: equal(i, k, n)"},
+    {"closed under reversal",
+     "for all i, n: for some s with s + 1 >= i + n: for all u, v with i <= u < i + n and "
+     "u + v = s: T[u] = T[v]"},
+    {"rich",
+     "for all n with n >= 1: for some m with 1 <= m <= n: (for some i with i + m = n: "
+     "palindrome(i, m)) and not (for some j with j + m < n: for all i with i + m = n: "
+     "equal(i, j, m))"},
+};
+
+}  // namespace
+
+std::span<const WordProperty> word_properties() { return properties; }
+
+bool has_property(const AutomaticWord& word, std::string_view name, const Budget& budget) {
+    for (const WordProperty& one : properties)
+        if (one.name == name) {
+            const FirstOrderStatement statement =
+                read_first_order(one.says, std::string(name), "T", word.letters);
+            return decide_first_order(statement, word, budget).holds;
+        }
+    throw Error("expected the name of a property of infinite words, found '" + std::string(name) +
+                "'");
 }
 
 }  // namespace algae

@@ -108,7 +108,8 @@ public:
         found.letters = levels_.front().letters();
         found.before = before_;
         found.period = levels_.size() - before_;
-        found.dendric = found.episturmian = found.arnoux_rauzy = true;
+        found.dendric = found.episturmian = true;
+        found.arnoux_rauzy = found.letters > 1;
         for (std::size_t i = 0; i < before_; ++i)
             for (const BispecialRoot& root : levels_[i].roots()) {
                 std::vector<Ending> ends;

@@ -224,6 +224,7 @@ struct DerivedWord {
 struct DerivedWords {
     std::vector<DerivedWord> words;
     std::size_t before = 0;
+    std::vector<Symbol> letters;  // what the letters of the first one stand for
 };
 
 /// Throws as `complexity_for_all`.

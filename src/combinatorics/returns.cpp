@@ -257,6 +257,8 @@ DerivedWords derived_words(const Morphism& h, Symbol a, const Budget& budget) {
     Images now = in_order(h, a);
     std::map<Images, std::size_t> seen;
     DerivedWords found;
+    found.letters =
+        accessible({a}, h.size(), [&](Symbol letter, const auto& see) { see(h[letter]); });
     for (;;) {
         const auto [at, is_new] = seen.emplace(now, found.words.size());
         if (!is_new) {

@@ -1,5 +1,5 @@
 // `algae tree`: graphs that Graphviz lays out. The derivation tree of a generation or of one word, the digraph
-// of growth, and the diagram of families of languages.
+// of growth, Rauzy graphs of factors, and the diagram of families of languages.
 //
 // The size of a tree is computed before the tree is made. A tree that is too large is refused with its size and
 // with trees that would fit: a smaller depth, or --dag, which draws equal subtrees of one generation once.
@@ -18,7 +18,9 @@
 #include "command/detail/pictures.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
+#include "growth/growth.hpp"
 #include "language/language.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
 #include "rewrite/rewrite.hpp"
@@ -32,9 +34,10 @@ struct Options {
     std::string file, word, tables, output, format, background;
     std::vector<std::string> let;
     std::optional<std::uint64_t> generation, depth, seed;
+    std::optional<Range> rauzy;
     std::optional<double> width, height;
     std::uint64_t most_nodes = 2000;
-    bool shared = false, graph = false, families = false, json = false;
+    bool shared = false, graph = false, families = false, reduced = false, json = false;
     Bounds bounds;
 };
 
@@ -44,6 +47,7 @@ using SizeOf = std::function<Integer(const TreeShape&)>;
 struct TreeFormat {
     std::optional<PictureFormat> picture;
     bool latex = false;
+    std::optional<AnimationFormat> animation = {};
 };
 
 TreeFormat format_of(const Options& options) {
@@ -55,6 +59,8 @@ TreeFormat format_of(const Options& options) {
         letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     if (end == "dot" || end == "gv") return {};
     if (end == "tex") return {std::nullopt, true};
+    if (const auto animation = animation_format(name); animation && options.rauzy)
+        return {std::nullopt, false, animation};
     try {
         return {picture_format(name)};
     } catch (const Error&) {
@@ -67,12 +73,13 @@ TreeFormat format_of(const Options& options) {
 void check_usage(const Options& options) {
     const bool tree = options.generation || !options.word.empty();
     const int asked = (options.generation ? 1 : 0) + (options.word.empty() ? 0 : 1) +
-                      options.graph + options.families;
+                      (options.rauzy ? 1 : 0) + options.graph + options.families;
     if (asked == 0)
         throw Error(
-            "say which tree: -n N for a generation, --word WORD for a member; or --graph or "
-            "--families");
-    if (asked > 1) throw Error("-n, --word, --graph and --families exclude each other");
+            "say which tree: -n N for a generation, --word WORD for a member; or --graph, --rauzy "
+            "N or --families");
+    if (asked > 1) throw Error("-n, --word, --graph, --rauzy and --families exclude each other");
+    if (options.reduced && !options.rauzy) throw Error("--reduced is for Rauzy graphs: --rauzy N");
     if (options.families != options.file.empty())
         throw Error(options.families
                         ? "--families draws families of languages and takes no FILE, found \"" +
@@ -116,6 +123,7 @@ void check_size(const Options& options, std::uint64_t n, const TreeShape& shape,
 struct Drawing {
     Graph graph;
     Json facts;
+    std::vector<Graph> frames = {};  // of an animation
 };
 
 Drawing drawing_of(const DerivationTree& tree, std::uint64_t generation) {
@@ -226,6 +234,44 @@ Drawing growth_digraph(const Options& options, const Budget& budget) {
     return drawing;
 }
 
+Drawing rauzy_graphs(const Options& options, bool moves, const Budget& budget) {
+    const Model model = open_model(options.file, budget, options.let);
+    const View<D0L> system = as_d0l(model);
+    std::optional<LetterCoding> coding;
+    if (!model.coding.empty()) coding.emplace(model.alphabet, model.coding);
+    const Alphabet& alphabet = coding ? coding->alphabet : model.alphabet;
+    std::vector<std::vector<Word>> all;
+    std::uint64_t edges = 0;
+    for (std::uint64_t n = options.rauzy->first; n <= options.rauzy->last; ++n) {
+        const std::size_t length = n + 1;
+        std::vector<Word> words = factors(*system, length, budget).words;
+        std::erase_if(words, [&](const Word& word) { return word.size() < length; });
+        if (coding)
+            for (Word& word : words) word = coding->morphism(word);
+        std::ranges::sort(words);
+        words.erase(std::unique(words.begin(), words.end()), words.end());
+        edges += words.size();
+        if (!options.reduced && edges > options.most_nodes)
+            throw BoundReached(Bound::nodes,
+                               "the graph has " + std::to_string(edges) +
+                                   " edges up to factors of " + std::to_string(length) +
+                                   " letters, more than the " + std::to_string(options.most_nodes) +
+                                   " of --max-nodes; --reduced draws special ones");
+        all.push_back(std::move(words));
+    }
+    Drawing drawing{rauzy_graph(all, alphabet, options.reduced), {}};
+    if (drawing.graph.nodes.empty())
+        throw Error("--rauzy: expected a number of letters below that of the longest word");
+    drawing.facts = {{"nodes", drawing.graph.nodes.size()}, {"edges", drawing.graph.edges.size()}};
+    if (!moves) return drawing;
+    for (const std::vector<Word>& words : all) {
+        if (words.empty()) continue;
+        drawing.frames.push_back(rauzy_graph({words}, alphabet, options.reduced));
+        drawing.frames.back().caption = "n = " + std::to_string(words.front().size() - 1);
+    }
+    return drawing;
+}
+
 Drawing families() {
     Drawing drawing{families_graph(), {}};
     drawing.facts = {{"nodes", drawing.graph.nodes.size()}, {"edges", family_inclusions().size()}};
@@ -242,12 +288,20 @@ int tree(const Options& options) {
     picture.height = options.height;
     if (!options.background.empty()) picture.background = options.background;
 
-    Drawing drawing = options.families     ? families()
-                      : options.graph      ? growth_digraph(options, budget)
+    Drawing drawing = options.families ? families()
+                      : options.graph  ? growth_digraph(options, budget)
+                      : options.rauzy  ? rauzy_graphs(options, format.animation.has_value(), budget)
                       : options.generation ? generation_tree(options, shape, budget)
                                            : member_tree(options, shape, budget);
     drawing.facts.set("output", options.output);
-    if (!format.picture) {
+    const auto tell_size = [&](const GraphDrawn& drawn) {
+        drawing.facts.set("width", drawn.width);
+        drawing.facts.set("height", drawn.height);
+    };
+    if (format.animation) {
+        tell_size(draw_animation(drawing.frames, target_of(options.output), *format.animation,
+                                 picture, AnimationTiming(), budget));
+    } else if (!format.picture) {
         if (format.latex)
             refuse_given({{"--width", options.width.has_value()},
                           {"--height", options.height.has_value()},
@@ -260,10 +314,8 @@ int tree(const Options& options) {
         else
             write_file(options.output, text);
     } else {
-        const GraphDrawn drawn =
-            draw_graph(drawing.graph, target_of(options.output), *format.picture, picture, budget);
-        drawing.facts.set("width", drawn.width);
-        drawing.facts.set("height", drawn.height);
+        tell_size(
+            draw_graph(drawing.graph, target_of(options.output), *format.picture, picture, budget));
     }
     if (options.json) print(drawing.facts.text());
     return success;
@@ -273,11 +325,13 @@ int tree(const Options& options) {
 
 void add_tree(Verbs& verbs) {
     auto [verb, options] = verbs.add(
-        "tree", "The derivation tree of a generation or of a word, the digraph of growth",
+        "tree",
+        "The derivation tree of a generation or of a word, the digraph of growth, Rauzy graphs",
         {"algae tree anabaena -n 4 -o anabaena.pdf",
          "algae tree all-powers --word aaa -o derivation.svg",
          "algae tree my.lsys -n 4 --seed 7 -o picked.svg",
-         "algae tree fibonacci --graph -o growth.png", "algae tree --families -o families.pdf"},
+         "algae tree fibonacci --graph -o growth.png",
+         "algae tree thue-morse --rauzy 4 -o rauzy.svg", "algae tree --families -o families.pdf"},
         tree);
     verb.option("FILE", options.file, file_type, file_help);
     add_let_option(verb, options.let);
@@ -295,12 +349,18 @@ void add_tree(Verbs& verbs) {
         "--graph", options.graph,
         "instead: which letters occur in the successors of which, how often, and what becomes "
         "of them");
+    verb.option("--rauzy", options.rauzy, range, "N|A..B",
+                "instead: the Rauzy graph of factors of N letters, or one for each number of "
+                "letters");
+    verb.flag("--reduced", options.reduced,
+              "with --rauzy: only special factors are nodes, and edges are the ways between them");
     verb.flag("--families", options.families, "instead: the diagram of families of languages");
     verb.output("-o,--output", options.output, "FILE",
                 "the picture: .svg, .pdf, .png, .ps or .eps; .tex for LaTeX, trees by its package "
-                "forest; .dot or .gv for Graphviz; - for standard output")
+                "forest; .dot or .gv for Graphviz; .gif or .webp for Rauzy graphs, one after the "
+                "other; - for standard output")
         .required = true;
-    verb.option("--format", options.format, "svg|pdf|png|ps|eps|tex|dot|gv",
+    verb.option("--format", options.format, "svg|pdf|png|ps|eps|tex|dot|gv|gif|webp",
                 "the format, where the name does not say it");
     verb.flag("--dag", options.shared, "equal subtrees of one generation are drawn once");
     verb.option("--depth", options.depth, natural, "D",

@@ -12,6 +12,7 @@
 #include "command/detail/verb.hpp"
 #include "growth/growth.hpp"
 #include "model/model.hpp"
+#include "nature/nature.hpp"
 #include "notation/notation.hpp"
 #include "report/report.hpp"
 #include "system/system.hpp"
@@ -185,15 +186,23 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
             } catch (const Error&) {  // the first letter does not come back
             }
         });
+    const MorphismProperties& morphism = report.morphism;
+    constexpr std::size_t few_letters = 4;  // of which the parts of the fractal are quickly found
+    if (model.coding.empty() && morphism.pisot && morphism.irreducible &&
+        (morphism.determinant == Integer(1) || morphism.determinant == Integer(-1)) &&
+        (rules.letters.size() <= few_letters || options.prove))
+        each("spectrum", [&] { report.pure_point = rauzy_fractal(rules, budget).tiles; });
     try {
         const AutomaticWord word = word_of(model, rules);
         each(report.for_all ? "palindromic complexity" : "complexities",
              [&] { report.proofs = complexity_proofs(word, budget); });
         if (!report.not_reversed)
-            each("closed under reversal",
-                 [&] { report.closed_under_reversal = is_closed_under_reversal(word, budget); });
+            each("closed under reversal", [&] {
+                report.closed_under_reversal = has_property(word, "closed under reversal", budget);
+            });
         if (!report.exponent)
             each("critical exponent", [&] { report.exponent = critical_exponent(word, budget); });
+        if (!report.rich) each("rich", [&] { report.rich = has_property(word, "rich", budget); });
     } catch (const Error& error) {
         if (options.prove) throw;
         add_reason(report, error.what());

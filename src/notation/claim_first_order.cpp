@@ -125,28 +125,6 @@ Statement parse_first_order(std::string_view system, std::string_view text, Clai
 
 namespace {
 
-/// A property of infinite words, and what it says of a word T.
-struct WordProperty {
-    std::string_view name, says;
-};
-
-constexpr WordProperty word_properties[] = {
-    {"square-free", "not for some i, n with n >= 1: equal(i, i + n, n)"},
-    {"overlap-free", "not for some i, n with n >= 1: equal(i, i + n, n + 1)"},
-    {"cube-free", "not for some i, n with n >= 1: equal(i, i + n, 2n)"},
-    {"aperiodic", "not for some i, n with n >= 1: for all k with k >= i: T[k] = T[k + n]"},
-    {"recurrent", "for all i, n: for some j with j > i: equal(i, j, n)"},
-    {"uniformly recurrent",
-     "for all n: for some m: for all i, j: for some k with j <= k <= j + m: equal(i, k, n)"},
-    {"closed under reversal",
-     "for all i, n: for some s with s + 1 >= i + n: for all u, v with i <= u < i + n and "
-     "u + v = s: T[u] = T[v]"},
-    {"rich",
-     "for all n with n >= 1: for some m with 1 <= m <= n: (for some i with i + m = n: "
-     "palindrome(i, m)) and not (for some j with j + m < n: for all i with i + m = n: "
-     "equal(i, j, m))"},
-};
-
 /// The first words of a text and what is behind them; nothing if it begins in another way.
 std::optional<std::string_view> behind(std::string_view text, std::string_view words) {
     text = trimmed(text);
@@ -254,7 +232,7 @@ bool parse_word_property(std::string_view text, Statement& statement, ClaimReadi
         says = balance(word, where);
     } else {
         std::vector<std::string> all{"balanced", "circular", "7/3-power-free", "7/3+-power-free"};
-        for (const WordProperty& one : word_properties) {
+        for (const WordProperty& one : word_properties()) {
             all.emplace_back(one.name);
             if (behind(rest, one.name) == "") says = one.says;
         }

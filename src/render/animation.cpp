@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <new>
@@ -19,6 +20,7 @@
 #include "render/detail/colour_table.hpp"
 #include "render/detail/document.hpp"
 #include "render/detail/drawing.hpp"
+#include "render/detail/graph.hpp"
 #include "render/render.hpp"
 
 // Animations: a film of frames that all have one size, packed as gif or webp.
@@ -166,6 +168,12 @@ struct Film {
 
 constexpr double share_of_drawing = 0.7;  // the rest of the work is packing frames
 
+void paint(cairo_t* context, const std::optional<Colour>& background) {
+    if (!background) return;
+    set_colour(context, *background);
+    cairo_paint(context);
+}
+
 /// The rows of an image surface, one after the other.
 std::vector<std::uint32_t> pixels_of(cairo_surface_t* surface, int width, int height, bool opaque) {
     cairo_surface_flush(surface);
@@ -211,47 +219,49 @@ FilmFrame cut_out(const std::vector<std::uint32_t>& picture, const PixelRectangl
     return frame;
 }
 
-/// Draws plates as frames, one each, by a plan of frames. Throws BoundReached if they need more
-/// memory than the budget has, and what drawing throws. `drawn` learns what was drawn.
-Film film(std::span<const Plate> plates, const Plan& plan, const Budget& budget, Progress* progress,
-          Drawn& drawn) {
-    Film result;
-    result.width = static_cast<int>(plan.page.width);
-    result.height = static_cast<int>(plan.page.height);
-    result.opaque = plan.background.has_value();
+/// Pictures of one size, one after the other, of which each has what the one before has not. `draw` draws a picture with its background. Throws
+/// BoundReached if they need more memory than the budget has, and what drawing throws.
+Film film(std::size_t count, int width, int height, bool opaque,
+          const std::function<void(std::size_t, cairo_t*)>& draw, const Budget& budget) {
+    Film result{width, height, opaque, {}};
+    std::uint64_t taken = 0;
+    std::vector<std::uint32_t> before;
+    for (std::size_t i = 0; i < count; ++i) {
+        budget.check();
+        const OwnedSurface surface = blank_image(width, height, opaque);
+        const OwnedContext context(cairo_create(surface.get()));
+        check_cairo(context.get());
+        draw(i, context.get());
+        check_cairo(context.get());
+        std::vector<std::uint32_t> picture = pixels_of(surface.get(), width, height, opaque);
+        const PixelRectangle area = i == 0 ? PixelRectangle{0, 0, width, height}
+                                           : difference(before, picture, width, height);
+        taken += sizeof(std::uint32_t) * static_cast<std::uint64_t>(area.width) *
+                 static_cast<std::uint64_t>(area.height);
+        budget.check_memory(taken, "what changes from frame to frame of an animation");
+        result.frames.push_back(cut_out(picture, area, width));
+        before = std::move(picture);
+    }
+    return result;
+}
+
+/// Plates as frames, one each, by a plan of frames. `drawn` learns what was drawn.
+Film film_of_plates(std::span<const Plate> plates, const Plan& plan, const Budget& budget,
+                    Progress* progress, Drawn& drawn) {
     drawn.width = plan.page.width;
     drawn.height = plan.page.height;
     double all = 0, done = 0;
     for (const Plate& plate : plates) all += work(*plate.figure);
     all /= share_of_drawing;
-    std::uint64_t taken = 0;
-    std::vector<std::uint32_t> before;
-    for (std::size_t i = 0; i < plates.size(); ++i) {
-        budget.check();
+    const auto draw = [&](std::size_t i, cairo_t* context) {
         const double next = done + work(*plates[i].figure);
         const Share share(progress, done / all, next / all);
         done = next;
-        const OwnedSurface surface = blank_image(result.width, result.height, result.opaque);
-        const OwnedContext context(cairo_create(surface.get()));
-        check_cairo(context.get());
-        if (plan.background) {
-            set_colour(context.get(), *plan.background);
-            cairo_paint(context.get());
-        }
-        draw_plate(context.get(), plan, i, plates[i], budget, share, drawn);
-        check_cairo(context.get());
-        std::vector<std::uint32_t> picture =
-            pixels_of(surface.get(), result.width, result.height, result.opaque);
-        const PixelRectangle area = i == 0
-                                        ? PixelRectangle{0, 0, result.width, result.height}
-                                        : difference(before, picture, result.width, result.height);
-        taken += sizeof(std::uint32_t) * static_cast<std::uint64_t>(area.width) *
-                 static_cast<std::uint64_t>(area.height);
-        budget.check_memory(taken, "what changes from frame to frame of an animation");
-        result.frames.push_back(cut_out(picture, area, result.width));
-        before = std::move(picture);
-    }
-    return result;
+        paint(context, plan.background);
+        draw_plate(context, plan, i, plates[i], budget, share, drawn);
+    };
+    return film(plates.size(), static_cast<int>(plan.page.width),
+                static_cast<int>(plan.page.height), plan.background.has_value(), draw, budget);
 }
 
 constexpr int longest_side = 65'535;
@@ -497,25 +507,67 @@ std::optional<AnimationFormat> animation_format(std::string_view path) {
     return static_cast<AnimationFormat>(*found);
 }
 
-/// Draws all frames and packs them, before there is a file.
-Drawn draw_animation(std::span<const Plate> plates, const Target& target, AnimationFormat format,
-                     const PictureOptions& options, const AnimationTiming& timing,
-                     const Budget& budget, Progress* progress) {
-    const std::vector<std::uint32_t> hundredths = times(timing, plates.size());
-    if (format == AnimationFormat::gif && options.background == "transparent")
-        throw Error(
-            "a gif has no half-transparent pixels: expected a colour as its background, or "
-            "webp");
-    const Plan decided = plan(plates, PictureFormat::png, Arrangement::frames, options, budget);
-    Drawn drawn;
-    const Film frames = film(plates, decided, budget, progress, drawn);
+namespace {
+
+/// Packs all frames before there is a file.
+void write(const Film& frames, const Target& target, AnimationFormat format,
+           const AnimationTiming& timing, const Budget& budget) {
+    const std::vector<std::uint32_t> hundredths = times(timing, frames.frames.size());
     write_to(target, [&](Output& output) {
         if (format == AnimationFormat::gif)
             write_gif(frames, hundredths, timing.plays, output, budget);
         else
             write_webp(frames, hundredths, timing.plays, output, budget);
     });
+}
+
+void check(AnimationFormat format, const std::optional<std::string>& background,
+           const AnimationTiming& timing) {
+    times(timing, 0);
+    if (format == AnimationFormat::gif && background == "transparent")
+        throw Error(
+            "a gif has no half-transparent pixels: expected a colour as its background, or "
+            "webp");
+}
+
+}  // namespace
+
+Drawn draw_animation(std::span<const Plate> plates, const Target& target, AnimationFormat format,
+                     const PictureOptions& options, const AnimationTiming& timing,
+                     const Budget& budget, Progress* progress) {
+    check(format, options.background, timing);
+    const Plan decided = plan(plates, PictureFormat::png, Arrangement::frames, options, budget);
+    Drawn drawn;
+    write(film_of_plates(plates, decided, budget, progress, drawn), target, format, timing, budget);
     if (progress) progress->report(1);
+    return drawn;
+}
+
+GraphDrawn draw_animation(std::span<const Graph> graphs, const Target& target,
+                          AnimationFormat format, const GraphOptions& options,
+                          const AnimationTiming& timing, const Budget& budget) {
+    check(format, options.background, timing);
+    std::vector<GraphPicture> pictures;
+    GraphDrawn page;
+    for (const Graph& graph : graphs) {
+        pictures.push_back(graph_picture(graph, budget));
+        page.width = std::max(page.width, pictures.back().width);
+        page.height = std::max(page.height, pictures.back().height);
+    }
+    if (pictures.empty()) throw Error("expected at least one graph");
+    const double scale = graph_scale(page, PictureFormat::png, options);
+    const GraphDrawn drawn = graph_page(page, scale, PictureFormat::png);
+    const std::optional<Colour> background = background_of(options.background, PictureFormat::png);
+    const auto draw = [&](std::size_t i, cairo_t* context) {
+        paint(context, background);
+        cairo_scale(context, scale, scale);
+        cairo_translate(context, (page.width - pictures[i].width) / 2,
+                        (page.height - pictures[i].height) / 2);
+        pictures[i].draw(context);
+    };
+    write(film(graphs.size(), static_cast<int>(drawn.width), static_cast<int>(drawn.height),
+               background.has_value(), draw, budget),
+          target, format, timing, budget);
     return drawn;
 }
 

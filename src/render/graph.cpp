@@ -269,34 +269,54 @@ void check_side(const char* what, const std::optional<double>& side, PictureForm
                 format_name(format) + ", not " + rounded_decimal(*side, 10));
 }
 
-/// From points of the page to units of the picture.
-double scale_of(const GraphPage& page, PictureFormat format, const GraphOptions& options) {
-    if (options.width || options.height)
-        return std::min(options.width ? *options.width / page.width() : HUGE_VAL,
-                        options.height ? *options.height / page.height() : HUGE_VAL);
-    const double natural = format == PictureFormat::png ? pixels_of_a_point : 1;
-    return std::min(natural, largest(format) / std::max(page.width(), page.height()));
+}  // namespace
+
+GraphPicture graph_picture(const Graph& graph, const Budget& budget) {
+    struct Placed {
+        Graph graph;
+        GraphLayout layout;
+    };
+    const auto placed = std::make_shared<const Placed>(
+        Placed{graph, graph.trees ? tree_layout(graph, budget) : graph_layout(graph, budget)});
+    const GraphPage page(placed->graph, placed->layout);
+    return {page.width(), page.height(),
+            [placed](cairo_t* context) { GraphPage(placed->graph, placed->layout).draw(context); }};
 }
 
-GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format,
-                const GraphOptions& options, const Budget& budget) {
-    const std::optional<Colour> background = background_of(options.background, format);
-    const GraphLayout layout =
-        graph.trees ? tree_layout(graph, budget) : graph_layout(graph, budget);
-    const GraphPage page(graph, layout);
-    const double scale = scale_of(page, format, options);
+double graph_scale(const GraphDrawn& page, PictureFormat format, const GraphOptions& options) {
+    check_side("width", options.width, format);
+    check_side("height", options.height, format);
+    if (options.width || options.height)
+        return std::min(options.width ? *options.width / page.width : HUGE_VAL,
+                        options.height ? *options.height / page.height : HUGE_VAL);
+    const double natural = format == PictureFormat::png ? pixels_of_a_point : 1;
+    return std::min(natural, largest(format) / std::max(page.width, page.height));
+}
+
+GraphDrawn graph_page(const GraphDrawn& page, double scale, PictureFormat format) {
     const auto side = [&](double length) {
         const double scaled = length * scale;
         return format == PictureFormat::png ? std::clamp(std::ceil(scaled - 1e-6), 1.0, largest_png)
                                             : std::min(scaled, largest_vector);
     };
-    const GraphDrawn drawn{side(page.width()), side(page.height())};
+    return {side(page.width), side(page.height)};
+}
+
+namespace {
+
+GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format,
+                const GraphOptions& options, const Budget& budget) {
+    const std::optional<Colour> background = background_of(options.background, format);
+    const GraphPicture picture = graph_picture(graph, budget);
+    const GraphDrawn page{picture.width, picture.height};
+    const double scale = graph_scale(page, format, options);
+    const GraphDrawn drawn = graph_page(page, scale, format);
     if (format == PictureFormat::png)
         budget.check_memory(static_cast<std::uint64_t>(4 * drawn.width * drawn.height),
                             "the picture");
     Document document(format, drawn.width, drawn.height, background, output, budget);
     cairo_scale(document.context(), scale, scale);
-    page.draw(document.context());
+    picture.draw(document.context());
     check_cairo(document.context());
     document.finish();
     return drawn;

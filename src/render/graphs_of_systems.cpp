@@ -8,7 +8,7 @@
 #include "render/detail/graph.hpp"
 #include "render/render.hpp"
 
-// The three graphs that are drawn: the growth digraph of a D0L system, a derivation tree, and the diagram of the families.
+// The graphs that are drawn: the growth digraph of a D0L system, Rauzy graphs of its factors, a derivation tree, and the diagram of the families.
 //
 // The growth digraph has an edge from a letter to each letter of its successor. What becomes of a letter in the long run is
 // decided by its strongly connected component (Rozenberg and Salomaa 1980, I.3), and colours tell these four fates: a
@@ -157,6 +157,116 @@ Graph growth_graph(const D0L& system, const Budget& budget) {
     for (const Fate fate : fates)
         if (std::ranges::count(of_component, fate) > 0)
             graph.keys.push_back({colour_of(fate), meaning(fate)});
+    return graph;
+}
+
+namespace {
+
+/// One Rauzy graph, before it is drawn.
+class RauzyGraph {
+public:
+    explicit RauzyGraph(const std::vector<Word>& factors) {
+        std::map<Word, std::size_t> numbers;
+        const auto number = [&](Word word) {
+            const auto [at, is_new] = numbers.emplace(std::move(word), words_.size());
+            if (is_new) {
+                words_.push_back(at->first);
+                next_.emplace_back();
+                before_.push_back(0);
+            }
+            return at->second;
+        };
+        for (const Word& factor : factors) {
+            const std::size_t from = number(Word(factor.begin(), factor.end() - 1)),
+                              to = number(Word(factor.begin() + 1, factor.end()));
+            next_[from].emplace_back(to, factor.back());
+            ++before_[to];
+        }
+    }
+
+    /// Adds it to a graph that is drawn; gives the numbers of its nodes there.
+    std::vector<std::size_t> draw(Graph& graph, const Alphabet& alphabet, bool reduced) const {
+        std::vector<std::size_t> drawn(words_.size(), none), nodes;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (reduced && !is_end(i)) continue;
+            drawn[i] = graph.nodes.size();
+            nodes.push_back(drawn[i]);
+            graph.nodes.push_back(node(i, alphabet));
+        }
+        if (nodes.empty() && !words_.empty()) {  // a circle
+            drawn[0] = graph.nodes.size();
+            nodes.push_back(drawn[0]);
+            graph.nodes.push_back(node(0, alphabet));
+        }
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            if (drawn[i] != none)
+                for (auto [to, letter] : next_[i]) {
+                    Word way{letter};
+                    while (drawn[to] == none) {
+                        way.push_back(next_[to].front().second);
+                        to = next_[to].front().first;
+                    }
+                    Graph::Edge edge;
+                    edge.from = drawn[i];
+                    edge.to = drawn[to];
+                    edge.label = way.size() > letters_shown
+                                     ? std::to_string(way.size()) + " letters"
+                                     : spell(alphabet, way);
+                    edge.arrow = true;
+                    graph.edges.push_back(std::move(edge));
+                }
+        return nodes;
+    }
+
+    static void explain(Graph& graph) {
+        for (const auto& [fill, text] : keys())
+            if (std::ranges::count(graph.nodes, std::optional(fill), &Graph::Node::fill) > 0)
+                graph.keys.push_back({fill, text});
+    }
+
+private:
+    static constexpr std::size_t none = ~std::size_t{0};
+    static constexpr std::size_t letters_shown = 14;
+
+    static std::array<std::pair<Colour, const char*>, 3> keys() {
+        return {{{tints[0], "left special"}, {tints[2], "right special"}, {tints[1], "bispecial"}}};
+    }
+
+    /// Whether a way may not go through it: there are several ways, or none, to it or on from it.
+    bool is_end(std::size_t i) const { return before_[i] != 1 || next_[i].size() != 1; }
+
+    Graph::Node node(std::size_t i, const Alphabet& alphabet) const {
+        const Word& word = words_[i];
+        Graph::Node found;
+        if (word.size() <= letters_shown) {
+            found.label = spell(alphabet, word);
+        } else {
+            constexpr std::ptrdiff_t part = letters_shown / 2 - 1;
+            found.label = spell(alphabet, Word(word.begin(), word.begin() + part)) + "..." +
+                          spell(alphabet, Word(word.end() - part, word.end()));
+        }
+        const bool left = before_[i] > 1, right = next_[i].size() > 1;
+        if (left || right) found.fill = keys()[left && right ? 2 : left ? 0 : 1].first;
+        return found;
+    }
+
+    std::vector<Word> words_;
+    std::vector<std::vector<std::pair<std::size_t, Symbol>>> next_;
+    std::vector<std::size_t> before_;  // how many edges lead to a node
+};
+
+}  // namespace
+
+Graph rauzy_graph(const std::vector<std::vector<Word>>& factors, const Alphabet& alphabet,
+                  bool reduced) {
+    Graph graph;
+    for (const std::vector<Word>& some : factors) {
+        const std::vector<std::size_t> nodes = RauzyGraph(some).draw(graph, alphabet, reduced);
+        if (factors.size() < 2 || some.empty()) continue;
+        const std::string label = "n = " + std::to_string(some.front().size() - 1);
+        graph.groups.push_back({label, {0.96, 0.96, 0.96}, nodes});
+    }
+    RauzyGraph::explain(graph);
     return graph;
 }
 

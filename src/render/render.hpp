@@ -453,6 +453,13 @@ struct GraphDrawn {
 GraphDrawn draw_graph(const Graph& graph, const Target& target, PictureFormat format,
                       const GraphOptions& options = {}, const Budget& budget = {});
 
+/// An animation of graphs, one frame for each, in the middle of a picture in which all have room; otherwise as that of figures.
+///
+/// Throws Error if there is no graph, and as `draw_graph` and `draw_animation` of figures.
+GraphDrawn draw_animation(std::span<const Graph> graphs, const Target& target,
+                          AnimationFormat format, const GraphOptions& options,
+                          const AnimationTiming& timing, const Budget& budget = {});
+
 /// The graph in Graphviz's own language, for `dot` and programs that read it. Nodes are named n0,
 /// n1... in the order of `nodes`; nodes of one row stand in a subgraph with rank=same, where the
 /// order of rows counts joined by invisible edges.
@@ -486,6 +493,16 @@ std::string letter_latex(std::string_view name);
 ///
 /// Example: growth_graph(d0l("b", {{'a', "ab"}, {'b', "a"}})).groups[0].label == "rate (1+√5)/2 = 1.6180..."
 Graph growth_graph(const D0L& system, const Budget& budget = {});
+
+/// The Rauzy graphs of a language (Rauzy 1983), each by its factors of n + 1 letters for some n: nodes are those of n letters, and each factor is an
+/// edge from its beginning to its end that has its last letter. Colours show which factors several letters prolong on the left, on the
+/// right, or on both sides. If it is `reduced`, only these are nodes, and edges are the ways between them. Several graphs have a frame each.
+///
+/// O(size of the factors, times a logarithm).
+///
+/// Example: rauzy_graph({{{0, 0}, {0, 1}, {1, 0}}}, *d0l("a", {{'a', "ab"}, {'b', "a"}}).alphabet, false).edges.size() == 3
+Graph rauzy_graph(const std::vector<std::vector<Word>>& factors, const Alphabet& alphabet,
+                  bool reduced);
 
 /// The picture of a derivation tree: one row for each generation, every row in word order, so that the
 /// last row reads as the word. Letters that are rewritten have a colour each if there are few of

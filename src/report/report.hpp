@@ -173,6 +173,8 @@ struct WordReport {
     Word root, conjugate;
     PalindromicFactors palindromes;
     WordRepetitions repetitions;
+    std::vector<std::size_t> lempel_ziv;  // where the factors begin
+    std::optional<SturmianProperties> sturmian;
     std::vector<std::uint64_t> factors;  // of 0, 1, ..., n letters
     /// Of words of at most `abelian_letters` letters only.
     std::optional<std::vector<AbelianPeriod>> abelian;
@@ -215,9 +217,19 @@ struct FactorValues {
     std::vector<Bispecial> bispecial;  // of the infinite word, up to `to` letters
     FactorRecurrence recurrence;       // of the infinite word
 
-    /// The factor complexity for all lengths, by bispecial factors; nothing after a coding, and where the words derived by returns
+    MorphismProperties morphism;  // of the rules of all accessible letters
+    Alphabet morphism_alphabet;   // of these, before a coding
+
+    /// The factor complexity for all lengths, by bispecial factors, and families of words; nothing after a coding, and where the words derived by returns
     /// do not repeat.
     std::optional<ComplexityForAll> for_all;
+    std::optional<DerivedWords> derived;  // in the same cases
+    std::optional<ConstantLength> columns;
+    /// Whether all palindromes that a factor can have are in it; a beginning of the infinite word with a defect says no.
+    std::optional<bool> rich;
+    std::optional<std::size_t> poor_beginning;  // its length, if there is one
+    /// Whether the spectrum of the dynamical system is pure point: by columns, or by the tiling of a Pisot substitution.
+    std::optional<bool> pure_point;
     /// What is proved for all lengths, of the infinite word, by automata; otherwise why it is not.
     std::optional<ComplexityProofs> proofs;
     std::optional<CriticalExponent> exponent;

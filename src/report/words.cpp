@@ -1,12 +1,10 @@
-// Combinatorics of one finite word, and of the factors of a D0L system up to a length, as a page and as JSON.
+// Combinatorics of one finite word, as a page and as JSON.
 //
 // The page shows the first entries of long lists and says how many more there are; JSON is complete.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "render/render.hpp"
@@ -18,30 +16,8 @@ namespace algae {
 
 namespace {
 
-constexpr std::size_t entries = 12;                   // of a list on the page
-constexpr std::size_t letters_shown = 60;             // of a word on the page
-constexpr std::size_t runs_listed = 1000;             // in JSON
-constexpr int digits_shown = 6, digits_in_json = 15;  // after the point
-
-/// The first entries of a list; where there are more, `rest` behind them.
-template <class Things, class Text>
-std::string first_of(const Things& things, const char* between, Text text,
-                     const std::string& rest) {
-    std::string all;
-    std::size_t count = 0;
-    for (const auto& thing : things) {
-        if (count == entries) return all + between + rest;
-        all += (count++ == 0 ? "" : between) + text(thing);
-    }
-    return all;
-}
-
-template <class Things, class Text>
-std::string some_of(const Things& things, const char* between, Text text) {
-    return first_of(things, between, text, fmt::format("... ({} in all)", things.size()));
-}
-
-std::string number(std::uint64_t value) { return std::to_string(value); }
+constexpr std::size_t letters_shown = 60;  // of a word on the page
+constexpr std::size_t runs_listed = 1000;  // in JSON
 
 /// Words over letters with names.
 class Spelling {
@@ -66,13 +42,24 @@ private:
     Alphabet alphabet_;
 };
 
-std::vector<Occurrence> lyndon_words(const WordReport& report) {
+/// The factors of a factorisation of the word that begin at these places.
+std::vector<Occurrence> parts(const WordReport& report, const std::vector<std::size_t>& begins) {
     std::vector<Occurrence> found;
-    for (std::size_t i = 0; i < report.lyndon.size(); ++i)
-        found.push_back({report.lyndon[i], (i + 1 < report.lyndon.size() ? report.lyndon[i + 1]
-                                                                         : report.word.size()) -
-                                               report.lyndon[i]});
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+        const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : report.word.size();
+        found.push_back({begins[i], end - begins[i]});
+    }
     return found;
+}
+
+/// "balanced: a factor of Sturmian words; a central word".
+std::string sturmian_text(const SturmianProperties& found) {
+    if (!found.balanced) return "not balanced, so a factor of none";
+    std::vector<std::string> all{"balanced: a factor of Sturmian words"};
+    if (found.central) all.push_back("central");
+    if (found.standard) all.push_back("standard");
+    if (found.christoffel) all.push_back("Christoffel");
+    return joined(all, ", ");
 }
 
 std::optional<Rational> exponent(const WordReport& report) {
@@ -102,6 +89,8 @@ WordReport word_report(Word word, std::vector<std::string> letters, const Budget
     report.palindromes = palindromic_factors(w, budget);
     report.repetitions = repetitions_in(w, budget);
     report.factors = factor_counts(w, budget);
+    report.lempel_ziv = lempel_ziv_factorisation(w, budget);
+    report.sturmian = sturmian_properties(w);
     if (w.size() <= WordReport::abelian_letters) report.abelian = abelian_periods(w, budget);
     return report;
 }
@@ -129,7 +118,11 @@ std::string to_text(const WordReport& report) {
                                                      word.size() / report.root.size()));
     page += line("least conjugate",
                  fmt::format("{}, of {}", spelling.some(report.conjugate), report.root.size()));
-    page += line("Lyndon factorisation", some_of(lyndon_words(report), " | ", shown));
+    page += line("Lyndon factorisation", some_of(parts(report, report.lyndon), " | ", shown));
+    page +=
+        line("Lempel-Ziv", fmt::format("{}: {}", report.lempel_ziv.size(),
+                                       some_of(parts(report, report.lempel_ziv), " | ", shown)));
+    if (report.sturmian) page += line("Sturmian words", sturmian_text(*report.sturmian));
     page +=
         line("palindromes", fmt::format("{} and the empty one; the longest: {}", palindromes.count,
                                         some_of(palindromes.longest, ", ", shown)));
@@ -194,7 +187,7 @@ std::string to_latex(const WordReport& report) {
              {"exponent", formula_latex(to_string(*exponent(report)))},
              {"primitive root", word_latex(alphabet, report.root)},
              {"least conjugate", word_latex(alphabet, report.conjugate)},
-             {"Lyndon factorisation", latex_of(lyndon_words(report), " \\mid ", part)},
+             {"Lyndon factorisation", latex_of(parts(report, report.lyndon), " \\mid ", part)},
              {"palindromes but the empty one", number(report.palindromes.count)},
              {"defect", number(report.palindromes.defect)},
              {"palindromic factorisation", latex_of(report.palindromes.fewest, " \\mid ", part)},
@@ -234,6 +227,9 @@ Json to_json(const WordReport& report) {
         for (const AbelianPeriod& one : *report.abelian)
             abelian.add(Json{{"head", one.head}, {"period", one.period}});
     }
+    const auto sturmian = [&](bool SturmianProperties::*property) {
+        return report.sturmian ? Json((*report.sturmian).*property) : Json();
+    };
     const auto text = [](const std::optional<Rational>& value) {
         return value ? Json(to_string(*value)) : Json();
     };
@@ -246,7 +242,12 @@ Json to_json(const WordReport& report) {
             {"exponent", text(exponent(report))},
             {"least_conjugate", spelling.whole(report.conjugate)},
             {"conjugates", word.empty() ? 1 : report.root.size()},
-            {"lyndon_factorisation", words(lyndon_words(report))},
+            {"lyndon_factorisation", words(parts(report, report.lyndon))},
+            {"lempel_ziv_factorisation", words(parts(report, report.lempel_ziv))},
+            {"balanced", sturmian(&SturmianProperties::balanced)},
+            {"central", sturmian(&SturmianProperties::central)},
+            {"standard", sturmian(&SturmianProperties::standard)},
+            {"christoffel", sturmian(&SturmianProperties::christoffel)},
             {"palindromes", report.palindromes.count},
             {"longest_palindromes", words(report.palindromes.longest)},
             {"defect", report.palindromes.defect},
@@ -259,525 +260,6 @@ Json to_json(const WordReport& report) {
             {"distinct_factors", total(report.factors)},
             {"factors_by_length", report.factors},
             {"abelian_periods", std::move(abelian)}};
-}
-
-namespace {
-
-/// Whether the axiom is among the factors of the infinite word of a morphism that prolongs a letter.
-bool has_axiom(D0L system, Symbol a, const Budget& budget) {
-    constexpr std::size_t longest = 64;  // axiom that is looked for
-    const Word axiom = std::exchange(system.axiom, {a});
-    return axiom.size() <= longest &&
-           std::ranges::count(factors(system, axiom.size(), budget).words, axiom) > 0;
-}
-
-/// Whether the words of a system have the factors of its infinite word: they begin it, or the axiom is a factor of it and so are the others.
-bool has_factors_of_infinite_word(const D0L& system, const Budget& budget) {
-    if (generates_infinite_word(system)) return true;
-    try {
-        return has_axiom(system, Numeration(system).letters().front(), budget);
-    } catch (const Error&) {
-        return false;  // there is none
-    }
-}
-
-/// The factors of one length from those of one letter more and from whole words of that length, in order.
-std::vector<Word> shorter_factors(const std::vector<Word>& longer, std::vector<Word> whole) {
-    for (const Word& word : longer) {
-        whole.emplace_back(word.begin(), word.end() - 1);
-        whole.emplace_back(word.begin() + 1, word.end());
-    }
-    std::ranges::sort(whole);
-    whole.erase(std::unique(whole.begin(), whole.end()), whole.end());
-    return whole;
-}
-
-/// Those of the factors that are bispecial, by the factors of one and of two letters more.
-std::vector<FactorValues::Bispecial> bispecial_factors(const std::vector<Word>& words,
-                                                       const std::vector<Word>& longer,
-                                                       const std::vector<Word>& longest) {
-    struct Ways {
-        std::int64_t left = 0, right = 0, both = 0;
-    };
-    std::vector<Ways> ways(words.size());
-    const auto of = [&](auto begin, auto end) -> Ways& {
-        const auto at =
-            std::lower_bound(words.begin(), words.end(), std::ranges::subrange(begin, end),
-                             [](const Word& word, const auto& part) {
-                                 return std::ranges::lexicographical_compare(word, part);
-                             });
-        return ways[static_cast<std::size_t>(at - words.begin())];
-    };
-    for (const Word& word : longer) {
-        ++of(word.begin() + 1, word.end()).left;
-        ++of(word.begin(), word.end() - 1).right;
-    }
-    for (const Word& word : longest) ++of(word.begin() + 1, word.end() - 1).both;
-    std::vector<FactorValues::Bispecial> found;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        if (const auto& [left, right, both] = ways[i]; left > 1 && right > 1)
-            found.push_back({words[i], both - left - right + 1});
-    return found;
-}
-
-/// Whether long factors are cut into images in one way alone (Klouda and Starosta 2019: exactly if no word that grows has all its powers
-/// among the factors); nothing if the morphism is not injective.
-std::optional<bool> is_circular(const D0L& system, const Budget& budget) {
-    for (const Symbol letter : system.letters)
-        if (system.successor(letter).empty()) return std::nullopt;
-    if (made_injective({system.axiom, system.rules}, budget).steps > 0) return std::nullopt;
-    for (const InfiniteRepetition& one : infinite_repetitions(system, budget))
-        if (one.grows) return false;
-    return true;
-}
-
-/// The factor complexity of the words of a system for all lengths, if they have the factors of an infinite word: their own, or, if letters
-/// take turns at the beginning, one of a power of a primitive morphism.
-std::optional<ComplexityForAll> complexity_of(const D0L& system, const FactorValues& report,
-                                              const Budget& budget) {
-    try {
-        if (report.infinite_word)
-            return complexity_for_all(system.rules, Numeration(system).letters().front(), budget);
-        const auto grows = [&](Symbol letter) { return system.successor(letter).size() > 1; };
-        if (!report.primitivity.exponent || std::ranges::none_of(system.letters, grows))
-            return std::nullopt;  // a letter that stays as it is has a primitive matrix too
-        Symbol a = system.axiom.front();
-        for (std::size_t i = 0; i < system.letters.size(); ++i) a = system.successor(a).front();
-        D0L power = system;
-        while (power.successor(a).front() != a || power.successor(a).size() < 2) {
-            budget.check();
-            std::vector<Word> images = power.rules.images();
-            for (const Symbol letter : system.letters)
-                images[letter] = system.rules(power.successor(letter));
-            power.rules = Morphism(std::move(images));
-        }
-        if (!has_axiom(power, a, budget)) return std::nullopt;
-        return complexity_for_all(power.rules, a, budget);
-    } catch (const Error&) {
-        return std::nullopt;  // there is no infinite word, or its first letter does not come back
-    } catch (const BoundReached& bound) {
-        if (bound.bound() == Bound::time) throw;
-        return std::nullopt;
-    }
-}
-
-/// The frequencies of letters after a coding; none where they have no limit.
-template <class Coded>
-std::vector<std::optional<Frequency>> frequencies_of(const D0L& system, Coded coded,
-                                                     std::size_t letters, const Budget& budget) {
-    std::vector<std::optional<Frequency>> found(letters);
-    const LetterFrequencies all = letter_frequencies(system, budget);
-    if (all.limits.size() != 1) return found;
-    for (std::size_t i = 0; i < system.letters.size(); ++i) {
-        std::optional<Frequency>& sum = found[coded(system.letters[i])];
-        sum = sum ? *sum + all.limits.front()[i] : all.limits.front()[i];
-    }
-    return found;
-}
-
-template <class Coded>
-FactorRecurrence recurrence_of(const D0L& system, const Alphabet& names, Coded coded,
-                               std::size_t to, const Budget& budget) {
-    try {
-        return factor_recurrence(
-            automatic_word(system, [&](Symbol letter) { return names.name(coded(letter)); }), to,
-            budget);
-    } catch (const Error&) {
-        return {};  // it has no numeration of its own
-    }
-}
-
-}  // namespace
-
-FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t to,
-                           const Budget& budget) {
-    FactorValues found;
-    found.to = to;
-    found.infinite_word = has_factors_of_infinite_word(system, budget);
-    FactorSet longest = factors(system, to + 2, budget);
-    found.alphabet = *system.alphabet;
-    std::optional<LetterCoding> images;
-    if (!coding.empty()) {
-        images.emplace(*system.alphabet, coding);
-        for (Word& word : longest.words) word = images->morphism(word);
-        found.alphabet = images->alphabet;
-        found.coded = true;
-    }
-    const std::size_t letters = found.alphabet.size();
-    const auto coded = [&](Symbol letter) {
-        return images ? images->morphism[letter].front() : letter;
-    };
-    found.apart.assign(letters, 0);
-    found.primitivity = primitivity(growth_matrix(system));
-    for (const Component& part : components(growth_matrix(system), budget).list)
-        if (part.rate) found.rate = std::max(found.rate, *part.rate);
-    found.frequencies = frequencies_of(system, coded, letters, budget);
-    if (!images) found.circular = is_circular(system, budget);
-    if (!images) found.for_all = complexity_of(system, found, budget);
-    if (found.infinite_word)
-        found.recurrence = recurrence_of(system, found.alphabet, coded, to, budget);
-    found.factors.assign(to + 1, 0);
-    found.palindromes = found.abelian = found.imbalance = found.factors;
-    std::vector<Word> words, longer, longer_still;  // of `length`, of one and of two letters more
-    WorkCount lengths("factors of length");
-    for (std::size_t length = to + 3; length-- > 0;) {
-        budget.check();
-        lengths.at(length);
-        std::vector<Word> whole;
-        for (const Word& word : longest.words)
-            if (word.size() == length) whole.push_back(word);
-        longer_still = std::move(longer);
-        longer = std::move(words);
-        words = shorter_factors(longer, std::move(whole));
-        if (length > to) continue;
-        std::set<std::vector<std::uint32_t>> counts;
-        std::vector<std::uint32_t> least(letters, ~std::uint32_t{0}), most(letters, 0);
-        std::uint64_t palindromes = 0;
-        bool is_reversed = true;
-        for (const Word& word : words) {
-            const Word turned(word.rbegin(), word.rend());
-            palindromes += turned == word;
-            if (is_reversed && !std::ranges::binary_search(words, turned)) {
-                is_reversed = false;
-                found.not_reversed = word;
-            }
-            std::vector<std::uint32_t> count(letters, 0);
-            for (const Symbol letter : word) ++count[letter];
-            for (std::size_t a = 0; a < letters; ++a) {
-                least[a] = std::min(least[a], count[a]);
-                most[a] = std::max(most[a], count[a]);
-            }
-            counts.insert(std::move(count));
-        }
-        for (std::size_t a = 0; a < letters && !words.empty(); ++a) {
-            const std::uint64_t apart = most[a] - least[a];
-            found.imbalance[length] = std::max(found.imbalance[length], apart);
-            found.apart[a] = std::max(found.apart[a], apart);
-        }
-        found.factors[length] = words.size();
-        found.palindromes[length] = palindromes;
-        found.abelian[length] = counts.size();
-        if (!found.infinite_word) continue;
-        auto bispecial = bispecial_factors(words, longer, longer_still);
-        std::ranges::move(found.bispecial, std::back_inserter(bispecial));
-        found.bispecial = std::move(bispecial);
-    }
-    return found;
-}
-
-namespace {
-
-/// "2n - 1".
-std::string linear_text(const Integer& slope, const Integer& constant) {
-    std::string text = slope.is_zero() ? "" : slope == 1 ? "n" : to_string(slope) + "n";
-    if (text.empty())
-        text = to_string(constant);
-    else if (!constant.is_zero())
-        text += (constant > 0 ? " + " : " - ") + to_string(constant > 0 ? constant : -constant);
-    return text;
-}
-
-std::string text_of(const Integer& number) { return to_string(number); }
-
-/// "l(k) = 2l(k-1) - l(k-2)".
-std::string recurrence_text(const BispecialChain& chain) {
-    std::string text;
-    for (std::size_t i = 0; i < chain.recurrence.size(); ++i) {
-        const Integer& factor = chain.recurrence[i];
-        if (factor.is_zero()) continue;
-        const Integer size = factor > 0 ? factor : -factor;
-        text += text.empty() ? (factor > 0 ? "" : "-") : (factor > 0 ? " + " : " - ");
-        text += (size == 1 ? "" : to_string(size)) + fmt::format("l(k-{})", i + 1);
-    }
-    return "l(k) = " + (text.empty() ? "0" : text);
-}
-
-/// The second differences of a complexity, which are 0 but at some n.
-std::string second_differences(const ComplexityForAll& all) {
-    std::string text =
-        fmt::format("p(0) = 1, p(1) = {}, and p(n+2) - 2p(n+1) + p(n) is 0 but for ", all.letters);
-    std::map<std::int64_t, std::vector<Integer>> single;
-    for (const auto& [n, value] : all.single) single[value].push_back(n);
-    std::vector<std::string> parts;
-    for (const auto& [value, places] : single)
-        parts.push_back(fmt::format("{:+} at n = {}", value, joined(places, ", ", text_of)));
-    for (const BispecialChain& chain : all.chains)
-        parts.push_back(fmt::format("{:+} at n = {}, ... with {}", chain.multiplicity,
-                                    joined(chain.lengths, ", ", text_of), recurrence_text(chain)));
-    return text + joined(parts, "; ") + (all.chains.empty() ? "" : " (added where they meet)");
-}
-
-/// A formula for the values from some n on, and that n; nothing if none was found.
-std::optional<std::pair<std::string, Integer>> formula_of(const ComplexityProof* proof,
-                                                          const ComplexityForAll* all) {
-    if (all) {
-        if (const auto linear = all->linear())
-            return std::pair(linear_text(linear->slope, linear->constant), linear->from);
-        return std::pair(second_differences(*all), Integer(0));
-    }
-    if (!proof) return std::nullopt;
-    if (const auto& linear = proof->linear)
-        return std::pair(linear_text(linear->slope, linear->constant), linear->from);
-    if (const auto& periodic = proof->periodic) {
-        std::string text;
-        for (const Integer& value : periodic->values)
-            text += (text.empty() ? "" : ", ") + to_string(value);
-        return std::pair(
-            text + fmt::format(" for n = 0, 1, ... modulo {}", periodic->values.size()),
-            periodic->from);
-    }
-    return std::nullopt;
-}
-
-/// The lines below the values, if something is proved for all n.
-std::string for_all_line(const ComplexityProof* proof, const ComplexityForAll* all) {
-    std::string page;
-    if (const auto found = formula_of(proof, all))
-        page = line(
-            "  for all n",
-            found->first +
-                (found->second.is_zero() ? "" : " from n = " + to_string(found->second) + " on") +
-                ": proved");
-    const bool is_formula = all ? all->chains.empty() : !page.empty();
-    if (!proof || is_formula || proof->differences.empty()) return page;
-    return line("  for all n", "the next one is greater by " +
-                                   joined(proof->differences, ", ", text_of) + ": proved") +
-           page;
-}
-
-/// The letters in the order of their names.
-std::map<std::string, std::size_t> by_name(const Alphabet& alphabet) {
-    std::map<std::string, std::size_t> found;
-    for (std::size_t a = 0; a < alphabet.size(); ++a)
-        found.emplace(alphabet.name(static_cast<Symbol>(a)), a);
-    return found;
-}
-
-std::string joined_letters(const std::vector<std::string>& letters) {
-    const bool is_long =
-        std::ranges::any_of(letters, [](const std::string& one) { return one.size() > 1; });
-    return joined(letters, is_long ? " " : "");
-}
-
-std::string exact_and_decimal(const Frequency& number) {
-    const std::string exact = number.exact();
-    if (exact.find_first_not_of("-0123456789") == std::string::npos) return exact;
-    return exact + " = " + number.decimal(digits_shown);
-}
-
-std::string exponent_lines(const FactorValues& report) {
-    if (!report.exponent) return "";
-    const CriticalExponent& found = *report.exponent;
-    if (found.infinite) return line("critical exponent", "infinite: proved");
-    std::string text = exact_and_decimal(*found.value);
-    text += found.factor
-                ? fmt::format(", of {} letters with the period {}: proved",
-                              to_string(found.factor->first), to_string(found.factor->second))
-                : ", which no factor reaches: proved";
-    std::string all = line("critical exponent", text);
-    if (found.asymptotic && found.attained)
-        all += line("  of long factors", exact_and_decimal(*found.asymptotic) + ": proved");
-    return all;
-}
-
-Json to_json(const Frequency& number) {
-    return Json{{"exact", number.exact()}, {"decimal", number.decimal(digits_in_json)}};
-}
-
-Json exponent_of(const FactorValues& report) {
-    if (!report.exponent) return Json();
-    const CriticalExponent& found = *report.exponent;
-    if (found.infinite) return "infinite";
-    Json all = to_json(*found.value);
-    all.set("attained", found.attained);
-    all.set("length", found.factor ? Json(found.factor->first) : Json());
-    all.set("period", found.factor ? Json(found.factor->second) : Json());
-    all.set("asymptotic", found.asymptotic ? to_json(*found.asymptotic) : Json());
-    return all;
-}
-
-/// p(n+2) - 2 p(n+1) + p(n): where it is not 0.
-Json to_json(const ComplexityForAll& all) {
-    Json single = Json::array(), chains = Json::array();
-    for (const auto& [n, value] : all.single) single.add(Json{{"n", n}, {"value", value}});
-    for (const BispecialChain& chain : all.chains)
-        chains.add(Json{
-            {"value", chain.multiplicity}, {"n", chain.lengths}, {"recurrence", chain.recurrence}});
-    return {{"letters", all.letters}, {"single", std::move(single)}, {"chains", std::move(chains)}};
-}
-
-/// What is proved of the factors, and of the palindromes; none where nothing is.
-std::pair<const ComplexityProof*, const ComplexityProof*> proofs_of(const FactorValues& report) {
-    if (!report.proofs) return {nullptr, nullptr};
-    return {&report.proofs->factors, &report.proofs->palindromes};
-}
-
-}  // namespace
-
-std::string to_text(const FactorValues& report) {
-    const auto values = [](const std::vector<std::uint64_t>& all) {
-        return joined(all, ", ", number);
-    };
-    const auto [factors, palindromes] = proofs_of(report);
-    const ComplexityForAll* for_all = report.for_all ? &*report.for_all : nullptr;
-    std::string page =
-        line("factors of", std::string(report.infinite_word ? "the infinite word of the system"
-                                                            : "all words of the system") +
-                               (report.coded ? ", after the coding" : "")) +
-        line("of 0, 1, ... letters",
-             fmt::format("up to {}{}", report.to,
-                         factors || for_all ? "" : "; nothing is said of longer ones"));
-    page += line("factor complexity", values(report.factors)) + for_all_line(factors, for_all);
-    page += line("palindromic complexity", values(report.palindromes)) +
-            for_all_line(palindromes, nullptr);
-    page += line("Abelian complexity", values(report.abelian));
-    page += line("imbalance", values(report.imbalance));
-    page +=
-        line("closed under reversal",
-             report.not_reversed ? "no: " + spell(report.alphabet, *report.not_reversed) +
-                                       " is a factor, its reversal is not"
-             : report.closed_under_reversal == true ? "yes: proved"
-                                                    : fmt::format("up to {} letters", report.to));
-    page += line("primitive morphism",
-                 report.primitivity.exponent
-                     ? fmt::format("yes, its power {} has all letters in all images",
-                                   *report.primitivity.exponent)
-                     : "no");
-    if (report.circular) page += line("circular", *report.circular ? "yes" : "no");
-    page += exponent_lines(report);
-    std::string frequencies;
-    for (const auto& [name, a] : by_name(report.alphabet))
-        if (report.frequencies[a])
-            frequencies += (frequencies.empty() ? "" : "; ") + name + ": " +
-                           exact_and_decimal(*report.frequencies[a]);
-    if (!frequencies.empty()) page += line("frequencies", frequencies);
-    if (report.rate.degree() > 2)
-        page += line("  where r =", report.rate.exact() + " = " + report.rate.decimal(7));
-    for (const auto& [letter, words] : report.recurrence.return_words)
-        page += line("returns to " + letter,
-                     some_of(words, ", ", [](const auto& word) { return joined_letters(word); }));
-    if (report.recurrence.values.size() > 1)
-        page += line("recurrence function", joined(report.recurrence.values, ", ", number));
-    if (!report.bispecial.empty())
-        page += line("bispecial factors",
-                     some_of(report.bispecial, ", ", [&](const FactorValues::Bispecial& one) {
-                         return (one.word.empty() ? "empty" : spell(report.alphabet, one.word)) +
-                                fmt::format(" ({:+})", one.multiplicity);
-                     }));
-    if (!report.not_proved.empty()) page += line("not for all n", report.not_proved);
-    return page;
-}
-
-std::string to_latex(const FactorValues& report) {
-    const auto [factors, palindromes] = proofs_of(report);
-    std::string text = report.infinite_word ? "Factors of the infinite word"
-                                            : "Factors of all words of the system";
-    text +=
-        std::string(report.coded ? ", after the coding" : "") +
-        ": of $n$ letters there are $p(n)$, among them $P(n)$ palindromes, with $a(n)$ different "
-        "numbers of letters, which differ by $b(n)$ at most.\n";
-    text += "\\[\n\\begin{array}{r|rrrr}\n  n & p(n) & P(n) & a(n) & b(n) \\\\ \\hline\n";
-    for (std::size_t n = 0; n < report.factors.size(); ++n)
-        text += fmt::format("  {} & {} & {} & {} & {} \\\\\n", n, report.factors[n],
-                            report.palindromes[n], report.abelian[n], report.imbalance[n]);
-    text += "\\end{array}\n\\]\n";
-    const auto equation = [](const std::string& left, const std::string& right) {
-        return "\\[ " + left + " = " + right + " \\]\n";
-    };
-    const auto linear = [&](const char* name, const Integer& slope, const Integer& constant,
-                            const Integer& from) {
-        text += equation(name, formula_latex(linear_text(slope, constant)) + " \\quad (n \\ge " +
-                                   to_string(from) + ")");
-    };
-    if (report.for_all) {
-        if (const auto found = report.for_all->linear())
-            linear("p(n)", found->slope, found->constant, found->from);
-        else
-            text += escaped_latex(second_differences(*report.for_all)) + ".\n";
-    } else if (factors && factors->linear) {
-        linear("p(n)", factors->linear->slope, factors->linear->constant, factors->linear->from);
-    }
-    if (palindromes && palindromes->linear)
-        linear("P(n)", palindromes->linear->slope, palindromes->linear->constant,
-               palindromes->linear->from);
-    const auto value = [](const Frequency& exact) {
-        const std::string decimal = exact.decimal(digits_shown);
-        return formula_latex(exact.exact()) +
-               (exact.number() && exact.number()->numerator.degree() <= 0
-                    ? ""
-                    : " = " + decimal + "\\dots");
-    };
-    if (report.exponent) {
-        const CriticalExponent& found = *report.exponent;
-        text += "The critical exponent is " +
-                (found.infinite ? std::string("infinite")
-                                : "$" + value(*found.value) + "$" +
-                                      (found.attained ? "" : ", which no factor reaches")) +
-                ".\n";
-    }
-    for (const auto& [name, a] : by_name(report.alphabet))
-        if (report.frequencies[a])
-            text += "The letter $" + word_latex(report.alphabet, {static_cast<Symbol>(a)}) +
-                    "$ has the frequency $" + value(*report.frequencies[a]) + "$.\n";
-    if (report.rate.degree() > 2)
-        text += "Here $r$ is $" + formula_latex(report.rate.exact()) + " = " +
-                report.rate.decimal(digits_shown + 1) + "\\dots$.\n";
-    return text;
-}
-
-Json to_json(const FactorValues& report) {
-    const auto [factors, palindromes] = proofs_of(report);
-    const ComplexityForAll* for_all = report.for_all ? &*report.for_all : nullptr;
-    const auto values = [](const std::vector<std::uint64_t>& all,
-                           const ComplexityProof* proof = nullptr,
-                           const ComplexityForAll* chains = nullptr) {
-        const auto formula = formula_of(proof, chains);
-        return Json{{"values", all},
-                    {"formula", formula ? Json(formula->first) : Json()},
-                    {"from", formula ? Json(formula->second) : Json()},
-                    {"proved_for_all", formula.has_value()},
-                    {"differences",
-                     proof && !proof->differences.empty() ? Json(proof->differences) : Json()}};
-    };
-    Json frequencies, apart, returns;
-    for (const auto& [name, a] : by_name(report.alphabet)) {
-        if (report.frequencies[a]) frequencies.set(name, to_json(*report.frequencies[a]));
-        if (report.frequencies[a] || report.apart[a] > 0) apart.set(name, Json(report.apart[a]));
-    }
-    for (const auto& [letter, words] : report.recurrence.return_words) {
-        Json all = Json::array();
-        for (const auto& word : words) all.add(joined_letters(word));
-        returns.set(letter, std::move(all));
-    }
-    Json bispecial = Json::array();
-    for (const auto& [word, multiplicity] : report.bispecial)
-        bispecial.add(Json{{"word", spell(report.alphabet, word)}, {"multiplicity", multiplicity}});
-    std::optional<bool> reversal = report.closed_under_reversal;
-    if (report.not_reversed) reversal = false;
-    return {{"language", report.infinite_word ? "infinite word" : "all words"},
-            {"coded", report.coded},
-            {"to", report.to},
-            {"factor_complexity", values(report.factors, factors, for_all)},
-            {"second_differences", for_all ? to_json(*for_all) : Json()},
-            {"palindromic_complexity", values(report.palindromes, palindromes)},
-            {"not_proved", report.not_proved.empty() ? Json() : Json(report.not_proved)},
-            {"abelian_complexity", values(report.abelian)},
-            {"imbalance_values", report.imbalance},
-            {"imbalance", std::move(apart)},
-            {"critical_exponent", exponent_of(report)},
-            {"return_words", std::move(returns)},
-            {"recurrence_function", Json{{"values", report.recurrence.values}}},
-            {"bispecial", std::move(bispecial)},
-            {"frequencies", std::move(frequencies)},
-            {"rate", Json{{"minimal_polynomial", to_string(report.rate.minimal_polynomial(), "r")},
-                          {"decimal", report.rate.decimal(digits_in_json)}}},
-            {"primitive", report.primitivity.exponent.has_value()},
-            {"least_positive_power",
-             report.primitivity.exponent ? Json(*report.primitivity.exponent) : Json()},
-            {"circular", report.circular ? Json(*report.circular) : Json()},
-            {"closed_under_reversal", reversal ? Json(*reversal) : Json()},
-            {"not_reversed",
-             report.not_reversed ? Json(spell(report.alphabet, *report.not_reversed)) : Json()}};
 }
 
 }  // namespace algae

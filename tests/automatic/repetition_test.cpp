@@ -297,7 +297,7 @@ TEST_CASE("closure under reversal is that of long prefixes") {
         budget.memory = std::uint64_t{128} << 20;
         std::optional<bool> found;
         try {
-            found = is_closed_under_reversal(one.word(), budget);
+            found = has_property(one.word(), "closed under reversal", budget);
         } catch (const BoundReached&) {
             continue;
         }

@@ -439,6 +439,8 @@ TEST_CASE("families of infinite words") {
     const auto thue_morse = of({"ab", "ba"});
     CHECK_FALSE(thue_morse.dendric);
     CHECK_FALSE(thue_morse.episturmian);
+    // A word of one letter has no special factors.
+    CHECK_FALSE(of({"aa"}).arnoux_rauzy);
     // The Fibonacci word of b and c with an a before each letter: episturmian, but after the empty word two right extensions are left of three.
     const auto with_fewer = of({"aba", "cab", "c"});
     CHECK(with_fewer.episturmian);

@@ -182,6 +182,36 @@ TEST_CASE("tree draws the digraph of growth and the families") {
           "algae: the digraph has 3 letters, more than the 2 of --max-nodes\n");
 }
 
+TEST_CASE("tree draws Rauzy graphs") {
+    const auto asked = [](const std::string& options) {
+        return nlohmann::json::parse(
+            run("tree " + options + " --json -o /dev/null --format svg").out);
+    };
+    CHECK(asked("thue-morse --rauzy 4")["nodes"] == 10);
+    CHECK(asked("thue-morse --rauzy 4")["edges"] == 12);
+    // A Sturmian word has n + 1 factors, and one that is left special and one that is right special.
+    CHECK(asked("fibonacci --rauzy 30 --reduced")["nodes"] == 2);
+    CHECK(asked("fibonacci --rauzy 30 --reduced")["edges"] == 3);
+    CHECK(asked("fibonacci --rauzy 1..5")["nodes"] == 2 + 3 + 4 + 5 + 6);
+    // After its coding: 4, 8 and 16 factors of 2, 3 and 4 letters.
+    CHECK(asked("rudin-shapiro --rauzy 3")["nodes"] == 8);
+    CHECK(asked("rudin-shapiro --rauzy 3")["edges"] == 16);
+    const std::string dot = run("tree fibonacci --rauzy 2 --reduced -o - --format dot").out;
+    for (const char* part : {"label=ba", "label=ab", "n0 -> n1", "n1 -> n0"}) {
+        INFO(part);
+        CHECK(dot.find(part) != std::string::npos);
+    }
+    const Run film = run("tree fibonacci --rauzy 1..3 -o - --format gif");
+    CHECK(film.out.starts_with("GIF89a"));
+    CHECK(run("tree fibonacci -n 3 -o t.gif").err.find("expected a file ending in .svg") !=
+          std::string::npos);
+    CHECK(run("tree thue-morse --rauzy 4 --max-nodes 9 -o /dev/null --format svg").err ==
+          "algae: the graph has 12 edges up to factors of 5 letters, more than the 9 of "
+          "--max-nodes; --reduced draws special ones\n");
+    CHECK(run("tree - --rauzy 3 -o t.svg", "printf 'axiom a; a -> b; b -> a' |").err ==
+          "algae: --rauzy: expected a number of letters below that of the longest word\n");
+}
+
 TEST_CASE("tree says what is wrong with what was asked") {
     const auto refused = [](const std::string& options, const std::string& before,
                             const std::string& message) {
@@ -194,10 +224,13 @@ TEST_CASE("tree says what is wrong with what was asked") {
     refused("- -o t.svg", fibonacci,
             "say which tree: -n N for a generation, --word WORD for a member");
     refused("- -n 3 --graph -o t.svg", fibonacci,
-            "-n, --word, --graph and --families exclude each other");
+            "-n, --word, --graph, --rauzy and --families exclude each other");
     refused("-n 3 -o t.svg", "", "FILE is missing");
     refused("koch --families -o t.svg", "",
             "--families draws families of languages and takes no FILE, found \"koch\"");
+    refused("koch --graph --reduced -o t.svg", "", "--reduced is for Rauzy graphs: --rauzy N");
+    refused("koch --rauzy x -o t.svg", "", "--rauzy: expected");
+    refused("- --rauzy 2 -o t.svg", choices, "");
     refused("koch --graph --dag -o t.svg", "", "--dag and --depth are for trees");
     refused("- -n 3 -o t.gif", fibonacci,
             "expected a file ending in .svg, .pdf, .png, .ps, .eps, .tex, .dot or .gv, found "

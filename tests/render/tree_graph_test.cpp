@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -299,4 +300,64 @@ TEST_CASE("the diagram of families is an order without lines that follow from ot
         CHECK_FALSE(reaches(reaches, "0L", family));
         CHECK_FALSE(reaches(reaches, family, "0L"));
     }
+}
+
+TEST_CASE("Rauzy graphs have the factors, and the ways between special ones have all letters") {
+    std::size_t compared = 0, branching = 0;
+    CHECK(rc::check([&] {
+        // A word at random, closed to a circle, so that each factor goes on on both sides.
+        const std::string letters = *rc::gen::element<std::string>("ab", "abc");
+        const auto circle = *rc::gen::container<std::string>(*rc::gen::inRange<std::size_t>(3, 20),
+                                                             rc::gen::elementOf(letters));
+        const auto n = *rc::gen::inRange<std::size_t>(1, 4);
+        std::set<std::string> nodes, edges;
+        std::map<std::string, std::set<char>> before, behind;
+        std::string text;
+        while (text.size() < circle.size() + 2 * n + 2) text += circle;
+        for (std::size_t i = 0; i < circle.size(); ++i) {
+            const std::string edge = text.substr(i, n + 1);
+            edges.insert(edge);
+            nodes.insert(edge.substr(0, n));
+            behind[edge.substr(0, n)].insert(edge.back());
+            before[edge.substr(1)].insert(edge.front());
+        }
+        Alphabet alphabet;
+        std::vector<Word> words;
+        for (const std::string& edge : edges) {
+            words.emplace_back();
+            for (const char letter : edge)
+                words.back().push_back(alphabet.symbol(std::string(1, letter)));
+        }
+        const Graph whole = rauzy_graph({words}, alphabet, false),
+                    reduced = rauzy_graph({words}, alphabet, true);
+        RC_ASSERT(whole.nodes.size() == nodes.size());
+        RC_ASSERT(whole.edges.size() == edges.size());
+        for (const Graph::Edge& edge : whole.edges)
+            RC_ASSERT(edges.contains(whole.nodes[edge.from].label + edge.label) &&
+                      whole.nodes[edge.to].label ==
+                          (whole.nodes[edge.from].label + edge.label).substr(1));
+        std::set<std::string> special;
+        for (const std::string& node : nodes)
+            if (before[node].size() > 1 || behind[node].size() > 1) special.insert(node);
+        RC_ASSERT(reduced.nodes.size() == std::max<std::size_t>(1, special.size()));
+        std::size_t letters_on_ways = 0;
+        for (const Graph::Edge& edge : reduced.edges) {
+            const std::string way = reduced.nodes[edge.from].label + edge.label;
+            if (edge.label.ends_with(" letters")) {
+                letters_on_ways += std::stoul(edge.label);
+                continue;
+            }
+            letters_on_ways += edge.label.size();
+            for (std::size_t i = 0; i + n < way.size(); ++i)
+                RC_ASSERT(edges.contains(way.substr(i, n + 1)));
+            RC_ASSERT(way.substr(way.size() - n) == reduced.nodes[edge.to].label);
+        }
+        RC_ASSERT(letters_on_ways == edges.size());
+        for (const Graph::Node& node : reduced.nodes)
+            RC_ASSERT(special.empty() || special.contains(node.label));
+        ++compared;
+        branching += special.size() > 1;
+    }));
+    CHECK(compared == 100);
+    CHECK(branching >= 20);
 }

@@ -309,7 +309,7 @@ private:
                                   [&](Symbol letter) { return system.alphabet->name(letter); });
         };
         if (!decided("closed under reversal for all n", [&] {
-                const bool is_closed = is_closed_under_reversal(word(), budget(60));
+                const bool is_closed = has_property(word(), "closed under reversal", budget(60));
                 const bool is_so_far = std::ranges::all_of(factors, oracle::are_reversed);
                 equal("closed under reversal for all n", !is_closed || is_so_far, true, "");
             }))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,18 @@ GraphLayout graph_layout(const Graph& graph, const Budget& budget = {});
 /// trees one beside the other. (Graphviz puts a letter with two children over one of them.) Linear
 /// time.
 GraphLayout tree_layout(const Graph& graph, const Budget& budget = {});
+
+/// A graph that is placed: the size of its page in points, and what draws it there.
+struct GraphPicture {
+    double width = 0, height = 0;
+    std::function<void(cairo_t*)> draw;
+};
+GraphPicture graph_picture(const Graph& graph, const Budget& budget);
+
+/// How many units of the picture a point of the page is. Throws Error if options are out of range.
+double graph_scale(const GraphDrawn& page, PictureFormat format, const GraphOptions& options);
+/// The size of the picture of a page.
+GraphDrawn graph_page(const GraphDrawn& page, double scale, PictureFormat format);
 
 /// A node with a letter's name, its subscript lowered.
 ///

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "automatic/detail/relations.hpp"
 
@@ -493,28 +494,37 @@ AutomaticRelation Relations::without(const AutomaticRelation& one,
                 begin.push_back(edges[e].target);
             }
     std::sort(begin.begin(), begin.end());
+    // Columns by their place among those that occur.
+    std::vector<std::uint32_t> columns;
+    for (const Edge& edge : edges) columns.push_back(edge.column);
+    std::sort(columns.begin(), columns.end());
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    for (Edge& edge : edges)
+        edge.column = static_cast<std::uint32_t>(
+            std::lower_bound(columns.begin(), columns.end(), edge.column) - columns.begin());
     Subsets subsets;
     subsets.number(begin);
     RawAutomaton raw;
-    std::vector<Edge> leaving;
+    std::vector<std::vector<std::uint32_t>> next(columns.size());  // states by column
+    std::vector<std::uint32_t> seen(one.states(), 0);
+    std::uint32_t time = 0;  // of which a state was seen last
     for (std::size_t i = 0; i < subsets.size(); ++i) {
         if (i % 256 == 0) count(subsets.size(), raw.edges.size() + subsets.pooled());
-        const std::vector<std::uint32_t> states = subsets.members(i);
-        leaving.clear();
         bool accepts = false;
-        for (const std::uint32_t s : states) {
+        for (const std::uint32_t s : subsets.members(i)) {
             accepts = accepts || one.accepting[s];
-            leaving.insert(leaving.end(), edges.begin() + first[s], edges.begin() + first[s + 1]);
+            for (std::uint32_t e = first[s]; e < first[s + 1]; ++e)
+                next[edges[e].column].push_back(edges[e].target);
         }
-        if (states.size() > 1) std::sort(leaving.begin(), leaving.end());
-        std::vector<std::uint32_t> next;
-        for (std::size_t e = 0; e < leaving.size();) {
-            const std::uint32_t column = leaving[e].column;
-            next.clear();
-            for (; e < leaving.size() && leaving[e].column == column; ++e)
-                if (next.empty() || next.back() != leaving[e].target)
-                    next.push_back(leaving[e].target);
-            raw.edges.push_back({column, subsets.number(next)});
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            std::vector<std::uint32_t>& states = next[c];
+            if (states.empty()) continue;
+            if (++time == 0) std::fill(seen.begin(), seen.end(), time++);
+            std::erase_if(states,
+                          [&](std::uint32_t s) { return std::exchange(seen[s], time) == time; });
+            std::sort(states.begin(), states.end());
+            raw.edges.push_back({columns[c], subsets.number(states)});
+            states.clear();
         }
         raw.close(accepts);
     }

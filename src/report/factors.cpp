@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -178,10 +179,18 @@ void look_at_word(FactorValues& found, const D0L& system, const Morphism* coding
     if (found.for_all && found.for_all->episturmian) found.rich = true;
 }
 
-MorphismProperties properties_of(const D0L& system, const Budget& budget) {
+/// What is said of the morphism, and of its letters.
+void look_at_morphism(FactorValues& found, const D0L& system, const Budget& budget) {
     Morphism rules;
     for (const Symbol letter : system.letters) rules.add(letter, system.successor(letter));
-    return morphism_properties(rules, budget);
+    found.morphism = morphism_properties(rules, budget);
+    const std::vector<char> grows = growing_letters(system.rules);
+    const std::vector<std::uint64_t> lives = lifetimes(system.rules);
+    for (const Symbol letter : rules.domain())
+        (lives[letter] != lasts ? found.mortal
+         : grows[letter]        ? found.growing
+                                : found.bounded)
+            .push_back(letter);
 }
 
 /// The frequencies of letters after a coding; none where they have no limit.
@@ -236,7 +245,7 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
         if (part.rate) found.rate = std::max(found.rate, *part.rate);
     found.frequencies = frequencies_of(system, coded, letters, budget);
     if (!images) found.circular = is_circular(system, budget);
-    found.morphism = properties_of(system, budget);
+    look_at_morphism(found, system, budget);
     look_at_word(found, system, images ? &images->morphism : nullptr, budget);
     if (found.infinite_word)
         found.recurrence = recurrence_of(system, found.alphabet, coded, to, budget);
@@ -466,9 +475,24 @@ std::string morphism_text(const FactorValues& report) {
     return joined(all, "; ");
 }
 
+std::array<std::pair<const char*, const std::vector<Symbol>*>, 3> letter_kinds(
+    const FactorValues& report) {
+    return {
+        {{"growing", &report.growing}, {"bounded", &report.bounded}, {"mortal", &report.mortal}}};
+}
+
 std::string morphism_lines(const FactorValues& report) {
     const MorphismProperties& found = report.morphism;
     std::string page = line("morphism", morphism_text(report));
+    std::vector<std::string> letters;
+    for (const auto& [kind, all] : letter_kinds(report))
+        if (!all->empty())
+            letters.push_back(
+                joined(*all, ", ",
+                       [&](Symbol letter) { return report.morphism_alphabet.name(letter); }) +
+                ": " + kind);
+    if (letters.size() > 1 || report.growing.empty())
+        page += line("  letters", joined(letters, "; "));
     if (found.makes_square)
         page += line(
             "  squares",
@@ -566,7 +590,14 @@ Json morphism_json(const FactorValues& report) {
         same.add(word(found.same_image->first));
         same.add(word(found.same_image->second));
     }
-    return {{"injective", !found.same_image},
+    Json letters;
+    for (const auto& [kind, all] : letter_kinds(report)) {
+        Json names = Json::array();
+        for (const Symbol letter : *all) names.add(report.morphism_alphabet.name(letter));
+        letters.set(kind, std::move(names));
+    }
+    return {{"letters", std::move(letters)},
+            {"injective", !found.same_image},
             {"same_image", std::move(same)},
             {"prefix_code", found.prefix_code},
             {"suffix_code", found.suffix_code},

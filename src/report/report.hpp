@@ -217,8 +217,9 @@ struct FactorValues {
     std::vector<Bispecial> bispecial;  // of the infinite word, up to `to` letters
     FactorRecurrence recurrence;       // of the infinite word
 
-    MorphismProperties morphism;  // of the rules of all accessible letters
-    Alphabet morphism_alphabet;   // of these, before a coding
+    MorphismProperties morphism;                   // of the rules of all accessible letters
+    Alphabet morphism_alphabet;                    // of these, before a coding
+    std::vector<Symbol> growing, bounded, mortal;  // letters, by what becomes of them
 
     /// The factor complexity for all lengths, by bispecial factors, and families of words; nothing after a coding, and where the words derived by returns
     /// do not repeat.

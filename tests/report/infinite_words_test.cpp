@@ -167,6 +167,7 @@ private:
         primitive += power.has_value();
         erasing += std::ranges::any_of(
             system.letters, [&](Symbol letter) { return system.successor(letter).empty(); });
+        compare_letters(report);
         if (!report.circular) {
             ++counts["circular"].open;
             return;
@@ -182,6 +183,37 @@ private:
         } else {
             ++counts["circular"].open;
         }
+    }
+
+    /// Of each letter the lengths of its words for so long that one that grows has more than any other could have.
+    void compare_letters(const FactorValues& report) {
+        ++counts["letters"].systems;
+        const std::size_t d = system_->rules.size();
+        for (const auto& [kind, all] :
+             {std::pair("growing", &report.growing), std::pair("bounded", &report.bounded),
+              std::pair("mortal", &report.mortal)})
+            for (const Symbol letter : *all) {
+                const std::string name = report.morphism_alphabet.name(letter);
+                std::map<char, std::uint64_t> count{{name.front(), 1}};
+                std::uint64_t length = 1, most = 0;
+                // What does not grow goes round, and has its greatest length in the first half of the steps.
+                constexpr std::uint64_t many = 1'000'000;
+                for (std::size_t step = 0; step < 40 * d && length > 0 && length < many; ++step) {
+                    std::map<char, std::uint64_t> next;
+                    length = 0;
+                    for (const auto& [a, times] : count)
+                        for (const char b : system_->rules.at(a)) {
+                            next[b] += times;
+                            length += times;
+                        }
+                    if (step <= 20 * d) most = std::max(most, length);
+                    count = next;
+                }
+                const std::string known = length == 0                       ? "mortal"
+                                          : length >= many || length > most ? "growing"
+                                                                            : "bounded";
+                equal("letters", std::string(kind), known, name);
+            }
     }
 
     void compare_frequencies(const FactorValues& report) {
@@ -397,7 +429,7 @@ TEST_CASE("words: every quantity of random morphisms is that of all windows") {
     CHECK(comparison.erasing * 10 >= wanted);
     CHECK(comparison.primitive * 10 >= wanted);
     CHECK(comparison.infinite * 3 >= wanted);
-    CHECK(comparison.counts.size() == 18);
+    CHECK(comparison.counts.size() == 19);
     for (const auto& one : comparison.counts) {
         INFO(one.first);
         CHECK(one.second.systems * 20 >= wanted);

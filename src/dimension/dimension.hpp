@@ -650,6 +650,8 @@ struct Tile {
     /// One full set of neighbours of the whole; those of a set with periods by the vector, each with all parts.
     std::vector<LatticeSet::Part> neighbours;
     bool is_periodic = false;  // a lattice tiling
+    /// What was looked at: without the parts of the area 0 that lie in others. Neighbours are states of it.
+    LatticeSet set;
     Finding connected, disk_like, interior_connected;
     Finding infinitely_many;  // components of the interior
 };
@@ -665,9 +667,9 @@ Tile tile(const LatticeSet& set, const Budget& budget = {}, std::size_t most = 5
 /// Example: square_root_text(Rational(3, 36)) == "sqrt(3)/6"
 std::string square_root_text(const Rational& square);
 
-/// The outlines of the whole and of its neighbours, as polygons with sides along the axes: the pixels of a grid with about
-/// `across` columns for the whole, each of which belongs to one of them. The whole comes first.
-std::vector<std::vector<Point>> tile_outlines(const LatticeSet& set, const Tile& of, std::size_t across,
+/// The outlines of a tile and of its neighbours, as polygons with sides along the axes: the pixels of a grid with about
+/// `across` columns for the tile, each of which belongs to one of them. The tile comes first.
+std::vector<std::vector<Point>> tile_outlines(const Tile& of, std::size_t across,
                                               const Budget& budget = {});
 
 // Boxes: what is counted, and what the counts say.

@@ -580,14 +580,15 @@ public:
         if (out_.cells) out_.cells_between = {*out_.cells, *out_.cells};
         if (out_.cells && set_.cell_square)
             out_.area_square = *out_.cells * *out_.cells * *set_.cell_square;
+        out_.set = set_;
         if (out_.is_tile.answer != Answer::yes) return out_;
         Meetings meetings(set_, budget_, most_);
         meetings_ = &meetings;
         attempt(out_.connected, [&] { find_connected(); });
         attempt(out_.disk_like, [&] { find_neighbours(); });
         if (out_.most_neighbours > 0) attempt(out_.disk_like, [&] { find_disk_like(); });
-        if (out_.disk_like.answer == Answer::undecided && out_.connected.answer == Answer::yes)
-            attempt(out_.disk_like, [&] { find_cut_points(); });
+        if (out_.disk_like.answer != Answer::yes && out_.connected.answer == Answer::yes)
+            attempt(out_.infinitely_many, [&] { find_cut_points(); });
         find_interior();
         return out_;
     }
@@ -1029,24 +1030,31 @@ private:
     /// in it. Both have inner points, and the point is not an inner one, as a disc without a point is connected: so the
     /// interior is not connected either. Every further cut point makes one more part of it.
     void find_cut_points() {
-        constexpr std::size_t most_pieces = 300;
+        constexpr std::size_t most_pieces = 64;
         if (set_.whole.size() != 1) return;
+        // Pieces of the first levels may be seen to be cuts before all those on the way to them.
         for (Group level = meetings_->parts(set_.whole.front()); level.size() <= most_pieces;
              level = finer(level)) {
             budget_.check();
-            for (const Placed& piece : level) begin_cuts(piece, level);
+            begin_cuts(level);
             go_through_cuts();
-            if (std::none_of(cuts_.begin(), cuts_.end(),
-                             [](const CutNode& node) { return node.alive; }))
-                continue;
-            out_.disk_like = {Answer::no, "without one of its points it is not connected"};
-            out_.interior_connected = {Answer::no, "a point that parts the tile parts its interior"};
-            attempt(out_.infinitely_many, [&] {
-                if (are_endless())
-                    out_.infinitely_many = {Answer::yes, "infinitely many points part it"};
-            });
-            return;
+            if (tell_cuts()) break;
         }
+        number({set_.whole.front().state, {}, {}});
+        go_through_cuts();
+        if (tell_cuts() && are_endless())
+            out_.infinitely_many = {Answer::yes, "infinitely many points part it"};
+    }
+
+    /// Whether there is a cut point.
+    bool tell_cuts() {
+        if (std::none_of(cuts_.begin(), cuts_.end(),
+                         [](const CutNode& node) { return node.alive && has_sides(node); }))
+            return false;
+        if (out_.disk_like.answer == Answer::undecided)
+            out_.disk_like = {Answer::no, "without one of its points it is not connected"};
+        out_.interior_connected = {Answer::no, "a point that parts the tile parts its interior"};
+        return true;
     }
 
     Group finer(const Group& level) const {
@@ -1057,19 +1065,34 @@ private:
         return found;
     }
 
-    /// Parts that hang together, by the number of each.
-    std::vector<std::size_t> hanging_together(const Group& tiles) {
-        std::vector<std::size_t> found(tiles.size(), ~std::size_t{0});
+    using Joined = std::vector<std::vector<std::size_t>>;  // by tile, those that it meets
+
+    Joined joined(const Group& tiles) {
+        Joined found(tiles.size());
+        for (std::size_t i = 0; i < tiles.size(); ++i)
+            for (std::size_t k = i + 1; k < tiles.size(); ++k)
+                if (meet(tiles[i], tiles[k])) {
+                    found[i].push_back(k);
+                    found[k].push_back(i);
+                }
+        return found;
+    }
+
+    static constexpr std::size_t nowhere = ~std::size_t{0};
+
+    /// By tile, a number of those that it hangs together with, without one of the tiles.
+    static std::vector<std::size_t> hanging_together(const Joined& joined, std::size_t without) {
+        std::vector<std::size_t> found(joined.size(), nowhere);
         std::size_t count = 0;
-        for (std::size_t first = 0; first < tiles.size(); ++first) {
-            if (found[first] != ~std::size_t{0}) continue;
+        for (std::size_t first = 0; first < joined.size(); ++first) {
+            if (first == without || found[first] != nowhere) continue;
             std::vector<std::size_t> open{first};
             found[first] = count;
             while (!open.empty()) {
                 const std::size_t k = open.back();
                 open.pop_back();
-                for (std::size_t i = 0; i < tiles.size(); ++i)
-                    if (found[i] == ~std::size_t{0} && meet(tiles[k], tiles[i])) {
+                for (const std::size_t i : joined[k])
+                    if (i != without && found[i] == nowhere) {
                         found[i] = count;
                         open.push_back(i);
                     }
@@ -1101,44 +1124,53 @@ private:
         return found;
     }
 
-    /// A piece without which the others do not hang together: some against the rest.
-    void begin_cuts(const Placed& piece, const Group& level) {
-        Group rest;
-        for (const Placed& other : level)
-            if (!(other == piece)) rest.push_back(other);
-        const auto part = hanging_together(rest);
-        const std::size_t count = 1 + *std::max_element(part.begin(), part.end());
-        for (std::size_t k = 0; k + (count == 2 ? 1 : 0) < count && count > 1; ++k) {
-            Group left, right;
-            for (std::size_t i = 0; i < rest.size(); ++i)
-                (part[i] == k ? left : right).push_back(rest[i]);
-            number({piece.state, seen_from(piece, left), seen_from(piece, right)});
+    /// Pieces without which the others do not hang together: some against the rest.
+    void begin_cuts(const Group& level) {
+        const Joined all = joined(level);
+        for (std::size_t piece = 0; piece < level.size(); ++piece) {
+            const auto part = hanging_together(all, piece);
+            std::size_t count = 0;
+            for (const std::size_t k : part)
+                if (k != nowhere) count = std::max(count, k + 1);
+            for (std::size_t k = 0; count > 1 && k + (count == 2 ? 1 : 0) < count; ++k)
+                number(cut_at(level, all, piece,
+                              [&](std::size_t tile) { return part[tile] == k; }));
         }
+    }
+
+    /// A tile with those that it meets, on two sides.
+    template <class IsLeft>
+    static Cut cut_at(const Group& tiles, const Joined& joined, std::size_t piece,
+                      const IsLeft& is_left) {
+        Cut found{tiles[piece].state, {}, {}};
+        for (const std::size_t k : joined[piece])
+            (is_left(k) ? found.left : found.right)
+                .push_back({tiles[k].state, tiles[k].by - tiles[piece].by});
+        return found;
     }
 
     /// The cuts within one: a part of its tile, if the other parts join no two sides.
     void go_on(std::size_t number_of_cut) {
         constexpr std::size_t most_free = 3;
         const Cut cut = *cuts_[number_of_cut].cut;
-        const Group own = meetings_->parts(Placed{cut.state, {}});
         const Group left = finer(cut.left), right = finer(cut.right);
+        Group tiles = meetings_->parts(Placed{cut.state, {}});
+        const std::size_t own = tiles.size(), with_left = own + left.size();
+        tiles.insert(tiles.end(), left.begin(), left.end());
+        tiles.insert(tiles.end(), right.begin(), right.end());
+        const Joined all = joined(tiles);
         std::vector<std::pair<std::size_t, Vector>> next;
-        for (const Placed& part : own) {
-            Group all;
-            for (const Placed& other : own)
-                if (!(other == part)) all.push_back(other);
-            const std::size_t siblings = all.size();
-            all.insert(all.end(), left.begin(), left.end());
-            all.insert(all.end(), right.begin(), right.end());
-            const auto kind = hanging_together(all);
+        for (std::size_t part = 0; part < own; ++part) {
+            const auto kind = hanging_together(all, part);
             std::set<std::size_t> of_left, of_right, free;
-            for (std::size_t k = siblings; k < all.size(); ++k)
-                (k < siblings + left.size() ? of_left : of_right).insert(kind[k]);
+            for (std::size_t k = own; k < tiles.size(); ++k)
+                (k < with_left ? of_left : of_right).insert(kind[k]);
             if (std::any_of(of_left.begin(), of_left.end(),
                             [&](std::size_t k) { return of_right.contains(k); }))
                 continue;
-            for (std::size_t k = 0; k < siblings; ++k)
-                if (!of_left.contains(kind[k]) && !of_right.contains(kind[k])) free.insert(kind[k]);
+            for (std::size_t k = 0; k < own; ++k)
+                if (k != part && !of_left.contains(kind[k]) && !of_right.contains(kind[k]))
+                    free.insert(kind[k]);
             if (free.size() > most_free) continue;
             // Those that neither side meets may count as of each.
             for (std::size_t choice = 0; choice < (std::size_t{1} << free.size()); ++choice) {
@@ -1146,11 +1178,9 @@ private:
                 std::size_t bit = 0;
                 for (const std::size_t each : free)
                     if ((choice >> bit++ & 1) != 0) to_left.insert(each);
-                Group one, two;
-                for (std::size_t k = 0; k < all.size(); ++k)
-                    (to_left.contains(kind[k]) ? one : two).push_back(all[k]);
-                next.emplace_back(
-                    number({part.state, seen_from(part, one), seen_from(part, two)}), part.by);
+                next.emplace_back(number(cut_at(tiles, all, part,
+                                                [&](std::size_t k) { return to_left.contains(kind[k]); })),
+                                  tiles[part].by);
             }
         }
         cuts_[number_of_cut].next = std::move(next);
@@ -1180,9 +1210,7 @@ private:
     /// Whether there are infinitely many cut points. From the whole, through parts with all others on one side, to those with others
     /// on two: if a part contains itself again, by a map, and a cut point other than the fixed point of the map, then the images of
     /// the cut point under the map are as many.
-    bool are_endless() {
-        number({set_.whole.front().state, {}, {}});
-        go_through_cuts();
+    bool are_endless() const {
         boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> graph(cuts_.size());
         for (std::size_t k = 0; k < cuts_.size(); ++k)
             for (const auto& next : cuts_[k].next) boost::add_edge(k, next.first, graph);
@@ -1293,8 +1321,130 @@ Tile tile(const LatticeSet& set, const Budget& budget, std::size_t most) {
     return Examination(set, budget, most).result();
 }
 
+namespace {
+
+using Pixel = std::pair<std::int64_t, std::int64_t>;
+
+/// The pixels of a grid that belong to tiles, each to the first one with a small part in it.
+class Pixels {
+public:
+    Pixels(const LatticeSet& set, std::size_t across, const Budget& budget)
+        : set_(set), budget_(budget), discs_(discs_of(set)) {
+        const auto& [a, b, c, d] = set.linear;
+        determinant_ = a * d - b * c;
+        shrinking_ = (std::hypot(a + d, c - b) + std::hypot(a - d, b + c)) / 2 / std::abs(determinant_);
+        double left = INFINITY, right = -INFINITY;
+        for (const Placed& part : set.whole) {
+            const double middle = set.place(part.by).x + discs_[part.state].centre.real();
+            left = std::min(left, middle - discs_[part.state].radius);
+            right = std::max(right, middle + discs_[part.state].radius);
+        }
+        side_ = (right - left) / static_cast<double>(across);
+    }
+
+    void add(const Placed& tile, std::size_t owner) {
+        const Point at = set_.place(tile.by);
+        go_on(tile.state, {at.x, at.y}, {1, 0, 0, 1}, 1, owner);
+    }
+
+    /// Around the pixels of a tile, these on the left; from loop to loop and back.
+    std::vector<Point> outline(std::size_t owner) const {
+        std::map<Pixel, std::vector<Pixel>> edges;
+        const auto is_own = [&](std::int64_t x, std::int64_t y) {
+            const auto place = owners_.find({x, y});
+            return place != owners_.end() && place->second.first.first == owner;
+        };
+        for (const auto& [pixel, of] : owners_) {
+            if (of.first.first != owner) continue;
+            const auto [x, y] = pixel;
+            if (!is_own(x, y - 1)) edges[{x, y}].push_back({x + 1, y});
+            if (!is_own(x + 1, y)) edges[{x + 1, y}].push_back({x + 1, y + 1});
+            if (!is_own(x, y + 1)) edges[{x + 1, y + 1}].push_back({x, y + 1});
+            if (!is_own(x - 1, y)) edges[{x, y + 1}].push_back({x, y});
+        }
+        std::vector<Point> polygon;
+        const auto put = [&](const Pixel& at) {
+            polygon.push_back({static_cast<double>(at.first) * side_, static_cast<double>(at.second) * side_});
+        };
+        for (auto& [from, to] : edges)
+            while (!to.empty()) {
+                const bool is_first = polygon.empty();
+                Pixel here = from;
+                do {
+                    put(here);
+                    auto& out = edges[here];
+                    here = out.back();
+                    out.pop_back();
+                } while (here != from);
+                put(from);
+                if (!is_first) polygon.push_back(polygon.front());
+            }
+        return polygon;
+    }
+
+private:
+    static constexpr double fine = 0.4;  // the radius of a part, in pixels
+
+    /// With the power of the inverse map, by which a part is smaller.
+    void go_on(std::size_t state, std::complex<double> at, const std::array<double, 4>& power, double size,
+               std::size_t owner) {
+        const auto applied = [](const std::array<double, 4>& by, double x, double y) {
+            return std::complex<double>{by[0] * x + by[1] * y, by[2] * x + by[3] * y};
+        };
+        const auto& disc = discs_[state];
+        if (disc.radius * size <= fine * side_) {
+            const auto middle = at + applied(power, disc.centre.real(), disc.centre.imag());
+            auto& [most, held] = owners_[{static_cast<std::int64_t>(std::floor(middle.real() / side_)),
+                                          static_cast<std::int64_t>(std::floor(middle.imag() / side_))}];
+            // Tiles come one after the other: the one that holds the most of a pixel.
+            if (held.empty() || held.back().first != owner) held.emplace_back(owner, 0);
+            if (++held.back().second > most.second) most = held.back();
+            return;
+        }
+        if (++steps_ % 4096 == 0) budget_.check();
+        const auto& [a, b, c, d] = set_.linear;
+        const std::array<double, 4> inverse{d / determinant_, -b / determinant_, -c / determinant_, a / determinant_};
+        const std::array<double, 4> next{
+            power[0] * inverse[0] + power[1] * inverse[2], power[0] * inverse[1] + power[1] * inverse[3],
+            power[2] * inverse[0] + power[3] * inverse[2], power[2] * inverse[1] + power[3] * inverse[3]};
+        for (const Placed& part : set_.parts[state]) {
+            const Point by = set_.place(part.by);
+            go_on(part.state, at + applied(next, by.x, by.y), next, size * shrinking_, owner);
+        }
+    }
+
+    const LatticeSet& set_;
+    const Budget& budget_;
+    std::vector<RecurrentSet::Disc> discs_;
+    double determinant_ = 1, shrinking_ = 1, side_ = 1;
+    std::uint64_t steps_ = 0;
+    using Share = std::pair<std::size_t, std::size_t>;  // a tile, and how many small parts of it
+    std::map<Pixel, std::pair<Share, std::vector<Share>>> owners_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Point>> tile_outlines(const Tile& of, std::size_t across,
+                                              const Budget& budget) {
+    const LatticeSet& set = of.set;
+    Pixels pixels(set, across, budget);
+    for (const Placed& part : set.whole) pixels.add(part, 0);
+    for (std::size_t k = 0; k < of.neighbours.size(); ++k) {
+        const Placed& neighbour = of.neighbours[k];
+        if (!of.is_periodic)
+            pixels.add(neighbour, k + 1);
+        else
+            for (const Placed& part : set.whole)
+                pixels.add({part.state, part.by + neighbour.by}, k + 1);
+    }
+    std::vector<std::vector<Point>> found;
+    for (std::size_t k = 0; k <= of.neighbours.size(); ++k) found.push_back(pixels.outline(k));
+    return found;
+}
+
 std::string square_root_text(const Rational& square) {
     // sqrt(p / q) = sqrt(p q) / q.
+    if (square.is_zero()) return "0";
     Integer under = square.numerator() * square.denominator(), out = 1;
     for (long k = 2; k < 10'000 && Integer(k) * Integer(k) <= under; ++k)
         while (remainder(under, Integer(k) * Integer(k)).is_zero()) {

@@ -168,9 +168,9 @@ IteratedFunctions functions_of_curve(const Model& system, const Budget& budget =
 /// do not lie in a lattice; BoundReached where they need too many digits.
 LatticeSet lattice_set(const IteratedFunctions& system, const Budget& budget = {});
 
-/// The whole of a tile and its neighbours as polygons (`tile_outlines`), the whole in a strong colour.
-std::unique_ptr<Figure> tile_figure(const LatticeSet& set, const Tile& tile,
-                                    const Budget& budget = {});
+/// A tile and its neighbours as polygons (`tile_outlines`), the tile in a strong colour and neighbours that touch each other in different
+/// ones as long as these last.
+std::unique_ptr<Figure> tile_figure(const Tile& tile, const Budget& budget = {});
 
 // Cellular automata.
 

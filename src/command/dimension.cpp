@@ -62,7 +62,7 @@ struct Options {
     std::optional<Rational> within;
     Measure measure = Measure::boxes;
     bool points = false, invert = false, json = false, latex = false, table = false, quick = false;
-    bool rauzy = false;
+    bool rauzy = false, tile = false;
     std::optional<RauzyPicture> tiling;
     Bounds bounds;
 
@@ -454,6 +454,29 @@ bool is_named_as_points(std::string_view file) {
 
 constexpr std::chrono::seconds first_search{5};  // for parts that coincide
 
+/// Whether a dimension is not known to be less than that of the plane.
+bool may_have_area(const ExactDimension& exact) {
+    return !exact.value || exact.value->rational() == Rational(2);
+}
+
+/// What is known of the limit of a system as a tile, if its dimension is 2: with `set` to make it one of a lattice.
+template <class MakeSet>
+void find_tile(DimensionReport& found, const MakeSet& make_set, const Budget& budget) {
+    try {
+        found.tile = tile(make_set(), budget);
+    } catch (const BoundReached& bound) {
+        found.no_tile = bound.what();
+        found.late = found.late || is_time(bound);
+    } catch (const Error& reason) {
+        found.no_tile = reason.what();
+    }
+}
+
+void find_tile(DimensionReport& found, const ExactDimension& exact, const Budget& budget) {
+    if (!exact.limit || !exact.value || exact.value->rational() != Rational(2) || found.late) return;
+    find_tile(found, [&] { return lattice_set(*exact.limit, budget); }, budget);
+}
+
 /// Measured on the limit, or the generation that is asked for; without counts where the time is
 /// over.
 DimensionReport measured(const Model& system, const ExactDimension& exact, const Options& options,
@@ -471,6 +494,7 @@ DimensionReport measured(const Model& system, const ExactDimension& exact, const
         found.late = true;
     }
     found.exact = exact;
+    find_tile(found, exact, budget);
     return found;
 }
 
@@ -577,7 +601,26 @@ DimensionReport measured_generator(const Options& options, const Budget& budget)
     found.what = figure.name;
     found.counts = counts_of(*figure.figure, options, budget);
     found.fit = fit_dimension(found.counts);
+    const auto* const maps = dynamic_cast<const IteratedFunctions*>(generator.get());
+    if (!maps || !found.exact || !may_have_area(*found.exact)) return found;
+    find_tile(found, [&] { return lattice_set(*maps, budget); }, budget);
+    // Of maps that are no similarities, most make no tile, and there is nothing to say.
+    if (!found.exact->value) found.no_tile.clear();
     return found;
+}
+
+/// Draws the tile among its neighbours.
+void plot_tile(const DimensionReport& found, const Options& options, const Budget& budget) {
+    if (!found.tile || found.tile->is_tile.answer != Tile::Answer::yes)
+        throw Error(options.file + ": --tile draws a tile, and this is not seen to be one" +
+                    (found.tile && !found.tile->is_tile.because.empty()
+                         ? ": " + found.tile->is_tile.because
+                         : found.no_tile.empty() ? "" : ": " + found.no_tile));
+    const auto figure = tile_figure(*found.tile, budget);
+    PictureOptions picture;
+    picture.title = found.what;
+    draw_picture({figure.get(), found.what, ""}, target_of(options.plot),
+                 picture_format(options.plot), picture, budget);
 }
 
 DimensionReport measured(const Options& options, const Budget& budget) {
@@ -649,6 +692,7 @@ int print_rauzy(const Options& options, const Budget& budget) {
     refuse("--measure", options.measure != Measure::boxes);
     refuse("--latex", options.latex);
     refuse("-n", !options.generation.empty());
+    refuse("--tile", options.tile);
     if (options.tiling && options.plot.empty())
         throw Error("--tiling says what --plot FILE draws, and no --plot is given");
     if (!options.plot.empty()) picture_format(options.plot);  // before the work
@@ -662,9 +706,12 @@ int print_rauzy(const Options& options, const Budget& budget) {
     if (!rules) throw Error(read.name + ": " + rules.reason());
     RauzyReport report{(system->title.empty() ? read.name : system->title) + ", Rauzy fractal",
                        {},
-                       rauzy_fractal(*rules, budget)};
+                       rauzy_fractal(*rules, budget),
+                       {}};
     for (const Symbol letter : report.found.letters)
         report.letters.push_back(system->alphabet.name(letter));
+    if (report.found.tiles && report.letters.size() == 3)
+        report.tile = tile(rauzy_lattice_set(*rules, budget), budget);
     if (!options.plot.empty()) {
         const auto figure =
             rauzy_figure(*rules, options.tiling.value_or(RauzyPicture::fractal), budget);
@@ -682,6 +729,10 @@ int dimension(const Options& options) {
     const Budget budget = options.bounds.budget();
     if (options.rauzy) return print_rauzy(options, budget);
     if (options.tiling) throw Error("--tiling is for --rauzy");
+    if (options.tile && options.plot.empty())
+        throw Error("--tile says what --plot FILE draws, and no --plot is given");
+    if (options.tile && (options.table || options.measure != Measure::boxes))
+        throw Error("--tile is for --measure boxes, and not for --table");
     if (options.quick && !options.table) throw Error("--quick is for --table");
     if (options.table) {
         if (options.measure != Measure::boxes) throw Error("--table is for --measure boxes");
@@ -692,7 +743,8 @@ int dimension(const Options& options) {
     if (options.file.empty()) throw Error("dimension: expected FILE, or --table");
     if (options.within && options.measure != Measure::boxes)
         throw Error("--within is for --measure boxes");
-    if (!options.plot.empty() && figure_format(options.plot) != FigureFormat::html)
+    if (!options.plot.empty() &&
+        (options.tile || figure_format(options.plot) != FigureFormat::html))
         picture_format(options.plot);  // before the work
     if (options.latex && options.measure != Measure::boxes)
         throw Error("--latex is for --measure boxes");
@@ -708,7 +760,9 @@ int dimension(const Options& options) {
         return found.scaling.estimate ? success : undecided;
     }
     const DimensionReport found = measured(options, budget);
-    if (!options.plot.empty() && !found.counts.counts.empty()) {
+    if (options.tile)
+        plot_tile(found, options, budget);
+    else if (!options.plot.empty() && !found.counts.counts.empty()) {
         DimensionPlot plot{found.what, found.counts, found.fit};
         if (found.exact && found.exact->status == ExactDimension::Status::exact &&
             found.exact->value) {
@@ -754,7 +808,7 @@ void add_dimension(Verbs& verbs) {
                 "lacunarity (gaps)");
     verb.output("--plot", options.plot, "FILE",
                 "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps, "
-                ".eps or .html; with --rauzy the fractal, each part in a colour");
+                ".eps or .html; with --rauzy the fractal, each part in a colour; with --tile a tile");
     verb.option("--grids", options.grids, grid_count, "N",
                 "over how many places of the grid counts are averaged (default 16)");
     verb.option("--within", options.within, width, "W",
@@ -768,6 +822,9 @@ void add_dimension(Verbs& verbs) {
                  {"self-replicating", std::optional(RauzyPicture::self_replicating)}},
                 "periodic|self-replicating",
                 "with --rauzy and --plot: the fractal among its neighbours of a tiling");
+    verb.flag("--tile", options.tile,
+              "with --plot: a tile, as the limit of a system that fills an area or the attractor of maps may "
+              "be, among its neighbours");
     verb.flag("--points", options.points,
               "FILE holds points, whatever its name and first line are");
     verb.option("--threshold", options.threshold, positive_or_zero, "T",

@@ -587,6 +587,91 @@ struct LimitWitness {
 /// parts meet in more than 5,000 ways.
 std::optional<LimitWitness> limit_witness(const ExactDimension& found, const Budget& budget = {});
 
+// Tiles: sets with area whose parts lie in a lattice.
+
+/// A graph-directed set whose parts are moved by vectors of a lattice, and that one linear map makes larger: with M that map,
+///
+///     M K_s = union over the parts of s of K_state + vector.
+///
+/// Parts that are turned or reflected have states of their own. The lattice has the rank 2, or the rank 3 and lies densely in
+/// the plane, as that of the fractals of Pisot substitutions does. What follows from the vectors is exact; places in the plane
+/// say which parts lie far apart.
+struct LatticeSet {
+    using Vector = std::array<std::int64_t, 3>;  // coordinates; the third is 0 where the rank is 2
+    struct Part {
+        std::size_t state = 0;
+        Vector by{};
+        auto operator<=>(const Part&) const = default;
+    };
+
+    std::size_t rank = 2;
+    std::array<Vector, 3> scale{};  // M times the unit vectors
+    std::array<Point, 3> places{};  // of the unit vectors
+    std::array<double, 4> linear{};  // M itself: (x, y) to (l0 x + l1 y, l2 x + l3 y)
+    std::vector<std::vector<Part>> parts;  // by state
+    std::vector<std::size_t> shapes;       // by state: those with the same number are congruent
+    std::vector<Part> whole;
+    /// The square of the area of a cell of the lattice, where it is known, and in which unit.
+    std::optional<Rational> cell_square;
+    std::string unit;
+    /// Vectors by which the whole, moved, tiles the plane, where that is known.
+    std::optional<std::array<Vector, 2>> periods;
+
+    Vector scaled(const Vector& vector) const;
+    Point place(const Vector& vector) const;
+    /// How many times as large areas become. Of the rank 2 only.
+    std::int64_t determinant() const;
+};
+
+/// The recurrent set as one of a lattice, in the square of the distance from its beginning to its end. Throws Error where positions
+/// do not lie in a lattice of the plane, BoundReached where coordinates need too many digits.
+LatticeSet lattice_set(const RecurrentSet& set, const Budget& budget = {});
+
+/// What is known of a set as a tile.
+struct Tile {
+    enum class Answer { yes, no, undecided };
+    struct Finding {
+        Answer answer = Answer::undecided;
+        std::string because;  // the theorem, or what is missing
+    };
+
+    /// The area in cells of the lattice, or of the periods: 0 where the set is without inner points. Where it is not known, bounds
+    /// that are proved.
+    std::optional<Rational> cells;
+    std::optional<std::pair<Rational, Rational>> cells_between;
+    /// The square of the area in the unit of the set, where both are known.
+    std::optional<Rational> area_square;
+    std::string unit;
+    /// Whether it is the closure of its inner points and parts of each level overlap in sets of the area 0, and why not.
+    Finding is_tile;
+    /// Of the tiling that the set makes when it is enlarged again and again: of how many tiles a tile of its kind has one point or more
+    /// in common, at least and at most. Of a set with periods, of the periodic tiling.
+    std::size_t least_neighbours = 0, most_neighbours = 0;
+    /// One full set of neighbours of the whole; those of a set with periods by the vector, each with all parts.
+    std::vector<LatticeSet::Part> neighbours;
+    bool is_periodic = false;  // a lattice tiling
+    /// What was looked at: without the parts of the area 0 that lie in others. Neighbours are states of it.
+    LatticeSet set;
+    Finding connected, disk_like, interior_connected;
+    Finding infinitely_many;  // components of the interior
+};
+
+/// Whether the set is a tile, and what it looks like (`tile.cpp` names the theorems). Nothing is said that is not proved; where
+/// there are more than `most` ways in which parts meet, it is not decided. O(ways^3) at worst for the area, else about linear.
+///
+/// Throws BoundReached only past the deadline or the memory, Interrupted.
+Tile tile(const LatticeSet& set, const Budget& budget = {}, std::size_t most = 50'000);
+
+/// "1/2", "sqrt(3)/6": the square root of a rational number.
+///
+/// Example: square_root_text(Rational(3, 36)) == "sqrt(3)/6"
+std::string square_root_text(const Rational& square);
+
+/// The outlines of a tile and of its neighbours, as polygons with sides along the axes: the pixels of a grid with about
+/// `across` columns for the tile, each of which belongs to one of them. The tile comes first.
+std::vector<std::vector<Point>> tile_outlines(const Tile& of, std::size_t across,
+                                              const Budget& budget = {});
+
 // Boxes: what is counted, and what the counts say.
 
 /// The first `count` places of a sequence that fills the unit square evenly (Roberts 2018:

@@ -46,7 +46,6 @@ struct Place {
 
 constexpr std::int64_t largest_coordinate = std::int64_t{1} << 30;
 constexpr std::int64_t most_digits = 4096;
-constexpr double margin = 1e-6;  // of discs, in the length of the longest way
 
 /// A lattice of the plane that nu = mu zeta^shift maps to itself and that holds all positions.
 struct Lattice {
@@ -122,8 +121,9 @@ IntegerMatrix rows_of(const std::vector<Vector>& vectors, std::size_t columns) {
     return out;
 }
 
-/// Coordinates of a vector in two independent ones; nothing if they are not whole.
-std::optional<Place> coordinates(const std::vector<Vector>& basis, const Vector& vector) {
+/// A vector as a combination of two independent ones, if it is one.
+std::optional<std::array<Rational, 2>> shares(const std::vector<Vector>& basis,
+                                              const Vector& vector) {
     for (std::size_t i = 0; i < vector.size(); ++i)
         for (std::size_t k = i + 1; k < vector.size(); ++k) {
             const auto minor = [&](const Vector& a, const Vector& b) {
@@ -131,18 +131,27 @@ std::optional<Place> coordinates(const std::vector<Vector>& basis, const Vector&
             };
             const Integer whole = minor(basis[0], basis[1]);
             if (whole.is_zero()) continue;
-            const Rational x(minor(vector, basis[1]), whole), y(minor(basis[0], vector), whole);
-            if (!x.is_integer() || !y.is_integer()) return std::nullopt;
-            const Integer a = x.numerator(), b = y.numerator();
-            if (!a.fits_int64() || !b.fits_int64()) return std::nullopt;
-            Place found{a.to_int64(), b.to_int64()};
-            if (std::abs(found.x) > largest_coordinate || std::abs(found.y) > largest_coordinate)
-                throw BoundReached(Bound::digits, "positions in a lattice need too many digits");
+            const std::array found{Rational(minor(vector, basis[1]), whole),
+                                   Rational(minor(basis[0], vector), whole)};
             for (std::size_t c = 0; c < vector.size(); ++c)
-                if (found.x * basis[0][c] + found.y * basis[1][c] != vector[c]) return std::nullopt;
+                if (found[0] * Rational(basis[0][c]) + found[1] * Rational(basis[1][c]) !=
+                    Rational(vector[c]))
+                    return std::nullopt;
             return found;
         }
     return std::nullopt;
+}
+
+/// Coordinates of a vector in two independent ones; nothing if they are not whole.
+std::optional<Place> coordinates(const std::vector<Vector>& basis, const Vector& vector) {
+    const auto found = shares(basis, vector);
+    if (!found || !(*found)[0].is_integer() || !(*found)[1].is_integer()) return std::nullopt;
+    const Integer x = (*found)[0].numerator(), y = (*found)[1].numerator();
+    if (!x.fits_int64() || !y.fits_int64()) return std::nullopt;
+    const Place at{x.to_int64(), y.to_int64()};
+    if (std::abs(at.x) > largest_coordinate || std::abs(at.y) > largest_coordinate)
+        throw BoundReached(Bound::digits, "positions in a lattice need too many digits");
+    return at;
 }
 
 /// Two vectors of the same lattice that are as short as can be (Gauss).
@@ -211,24 +220,29 @@ std::optional<Lattice> lattice_in(const RecurrentSet& set, const Reached& reache
     return out;
 }
 
+Place place_of(const LatticeSet::Vector& vector) { return {vector[0], vector[1]}; }
+
 /// Residues of the lattice modulo nu, each by its shortest vector.
-std::vector<Place> residues(const Lattice& lattice) {
-    const std::int64_t count = lattice.determinant();
+std::vector<Place> residues(const LatticeSet& lattice) {
+    const std::int64_t count = std::abs(lattice.determinant());
     if (count > most_digits)
         throw BoundReached(Bound::method, "a cell has " + std::to_string(count) +
                                               " parts, more than " + std::to_string(most_digits));
     const auto residue = [&](Place at) {
         const auto modulo = [&](std::int64_t x) { return ((x % count) + count) % count; };
-        return Place{modulo(at.x * lattice.scale[1].y - at.y * lattice.scale[1].x),
-                     modulo(at.y * lattice.scale[0].x - at.x * lattice.scale[0].y)};
+        return Place{modulo(at.x * lattice.scale[1][1] - at.y * lattice.scale[1][0]),
+                     modulo(at.y * lattice.scale[0][0] - at.x * lattice.scale[0][1])};
     };
     for (std::int64_t side = 2;; side *= 2) {
         std::vector<Place> near;
         for (std::int64_t x = -side; x <= side; ++x)
             for (std::int64_t y = -side; y <= side; ++y) near.push_back({x, y});
-        std::stable_sort(near.begin(), near.end(), [&](Place a, Place b) {
-            return std::abs(lattice.value(a)) < std::abs(lattice.value(b)) - 1e-9;
-        });
+        const auto far = [&](Place at) {
+            const Point found = lattice.place({at.x, at.y, 0});
+            return std::hypot(found.x, found.y);
+        };
+        std::stable_sort(near.begin(), near.end(),
+                         [&](Place a, Place b) { return far(a) < far(b) - 1e-9; });
         std::set<Place> seen;
         std::vector<Place> found;
         for (const Place at : near)
@@ -239,83 +253,46 @@ std::vector<Place> residues(const Lattice& lattice) {
 
 class CellCensus {
 public:
-    CellCensus(const RecurrentSet& set, const Lattice& lattice, const Reached& reached,
-               const Budget& budget, std::size_t most)
-        : set_(set), lattice_(lattice), budget_(budget), most_(most), digits_(residues(lattice)) {
-        find_parts(reached);
-        find_disc();
+    CellCensus(const LatticeSet& set, const Budget& budget, std::size_t most)
+        : set_(set), budget_(budget), most_(most), digits_(residues(set)), with_cell_(set) {
+        // The cell is one more state.
+        auto& cell = with_cell_.parts.emplace_back();
+        for (const Place digit : digits_) cell.push_back({set.parts.size(), {digit.x, digit.y, 0}});
+        discs_ = discs_of(with_cell_);
         find_pairs();
         leave_out_dead_ends();
         find_states();
         find_full();
     }
 
-    CellGrowth growth() const {
+    CellGrowth growth(CellQuestion question) const {
         CellGrowth out;
         out.kinds = states_.size();
         out.has_interior = std::find(full_.begin(), full_.end(), true) != full_.end();
-        out.boundary = boundary_rate();
+        if (question == CellQuestion::boundary)
+            out.boundary = boundary_rate();
+        else
+            std::tie(out.area_low, out.area_high) = area();
         return out;
     }
 
 private:
-    struct Move {
-        std::size_t to;  // turned piece
-        Place by;
-    };
     struct Pair {
         std::size_t turned;
         Place at;                                               // seen from the cell
         std::vector<std::pair<std::size_t, std::size_t>> next;  // part of the cell, pair
     };
 
-    void find_parts(const Reached& reached) {
-        std::map<Turned, std::size_t> numbers;
-        for (const Turned& at : reached.pieces) {
-            numbers.emplace(at, turned_.size());
-            turned_.push_back(at);
-        }
-        const auto number = [&](std::size_t piece, std::int64_t heading) {
-            return numbers.at({piece, normal_heading(heading, set_.order())});
-        };
-        const Displacement& displacement = set_.displacement();
-        const auto place = [&](const Vector& vector) {
-            const auto found = coordinates(lattice_.basis, vector);
-            if (!found) throw Error("a position lies beside its lattice");
-            return *found;
-        };
-        for (const Turned& at : turned_) {
-            auto& own = moves_.emplace_back();
-            for (const RecurrentSet::Part& part : set_.parts(at.piece))
-                own.push_back(
-                    {number(part.piece, at.heading + lattice_.shift + part.heading),
-                     place(displacement.turned(part.offset, at.heading + lattice_.shift))});
-            const double angle = 2 * std::numbers::pi * static_cast<double>(at.heading) /
-                                 static_cast<double>(set_.order());
-            centres_.push_back(std::polar(1.0, angle) * set_.disc(at.piece).centre);
-        }
-        for (const RecurrentSet::Part& part : set_.axiom()) {
-            Vector offset = part.offset;
-            displacement.subtract(offset, set_.axiom().front().offset);
-            axiom_.push_back({number(part.piece, part.heading), place(offset)});
-        }
+    std::complex<double> value(Place at) const {
+        const Point found = set_.place({at.x, at.y, 0});
+        return {found.x, found.y};
     }
 
-    /// A disc around the cell at 0.
-    void find_disc() {
-        std::complex<double> middle = 0;
-        for (const Place digit : digits_) middle += lattice_.value(digit);
-        middle /= static_cast<double>(digits_.size());
-        double farthest = 0;
-        for (const Place digit : digits_)
-            farthest = std::max(farthest, std::abs(lattice_.value(digit) - middle));
-        centre_ = middle / (lattice_.factor - 1.0);
-        radius_ = farthest / (std::abs(lattice_.factor) - 1) * (1 + 1e-9);
-    }
+    Place scaled(Place at) const { return place_of(set_.scaled({at.x, at.y, 0})); }
 
     bool may_meet(std::size_t turned, Place at) const {
-        return std::abs(lattice_.value(at) + centres_[turned] - centre_) <=
-               radius_ + set_.disc(turned_[turned].piece).radius + margin;
+        return std::abs(value(at) + discs_[turned].centre - discs_.back().centre) <=
+               discs_[turned].radius + discs_.back().radius;
     }
 
     std::size_t number(std::size_t turned, Place at) {
@@ -333,25 +310,26 @@ private:
 
     void find_pairs() {
         // All cells that a piece of the axiom may meet.
-        const double area = std::abs((std::conj(lattice_.values[0]) * lattice_.values[1]).imag());
-        for (const Move& part : axiom_) {
-            const double reach = radius_ + set_.disc(turned_[part.to].piece).radius + margin;
+        const std::complex<double> first = value({1, 0}), second = value({0, 1});
+        const double area = (std::conj(first) * second).imag();
+        for (const LatticeSet::Part& part : set_.whole) {
+            const double reach = discs_.back().radius + discs_[part.state].radius;
+            const Place by = place_of(part.by);
             const std::complex<double> middle =
-                lattice_.value(part.by) + centres_[part.to] - centre_;
+                value(by) + discs_[part.state].centre - discs_.back().centre;
             // Coordinates of the middle, and how far a disc goes in each of them.
-            const double x = (std::conj(middle) * lattice_.values[1]).imag() /
-                             (std::conj(lattice_.values[0]) * lattice_.values[1]).imag();
-            const double y = (std::conj(lattice_.values[0]) * middle).imag() /
-                             (std::conj(lattice_.values[0]) * lattice_.values[1]).imag();
-            const double across = reach * std::abs(lattice_.values[1]) / area + 1;
-            const double up = reach * std::abs(lattice_.values[0]) / area + 1;
+            const double x = (std::conj(middle) * second).imag() / area;
+            const double y = (std::conj(first) * middle).imag() / area;
+            const double across = reach * std::abs(second / area) + 1;
+            const double up = reach * std::abs(first / area) + 1;
             if (across * up > 1e7)
                 throw BoundReached(Bound::method, "the set meets more than 10000000 cells");
             const auto whole = [](double at) { return static_cast<std::int64_t>(std::floor(at)); };
             for (std::int64_t i = whole(x - across); i <= whole(x + across); ++i)
                 for (std::int64_t k = whole(y - up); k <= whole(y + up); ++k) {
-                    const Place seen = part.by - Place{i, k};
-                    if (may_meet(part.to, seen)) starts_[{i, k}].push_back(number(part.to, seen));
+                    const Place seen = by - Place{i, k};
+                    if (may_meet(part.state, seen))
+                        starts_[{i, k}].push_back(number(part.state, seen));
                 }
         }
         WorkCount done("pairs of cells");
@@ -359,12 +337,12 @@ private:
             if (k % 256 == 0) budget_.check();
             done.at(k);
             const std::size_t turned = pairs_[k].turned;
-            const Place at = lattice_.scaled(pairs_[k].at);
+            const Place at = scaled(pairs_[k].at);
             std::vector<std::pair<std::size_t, std::size_t>> next;
-            for (const Move& part : moves_[turned])
+            for (const LatticeSet::Part& part : set_.parts[turned])
                 for (std::size_t d = 0; d < digits_.size(); ++d) {
-                    const Place seen = at + part.by - digits_[d];
-                    if (may_meet(part.to, seen)) next.emplace_back(d, number(part.to, seen));
+                    const Place seen = at + place_of(part.by) - digits_[d];
+                    if (may_meet(part.state, seen)) next.emplace_back(d, number(part.state, seen));
                 }
             pairs_[k].next = std::move(next);
         }
@@ -409,9 +387,8 @@ private:
     }
 
     void find_states() {
-        for (auto& [cell, own] : starts_) {
-            state_of(own);
-        }
+        for (auto& [cell, own] : starts_)
+            if (const std::size_t state = state_of(own); state != nowhere) begin_.push_back(state);
         std::vector<std::vector<std::size_t>> parts(digits_.size());
         WorkCount done("states of cells");
         for (std::size_t k = 0; k < states_.size(); ++k) {
@@ -539,20 +516,109 @@ private:
         return most * (1 + 1e-9);
     }
 
-    const RecurrentSet& set_;
-    const Lattice& lattice_;
+    /// The sum of the covered shares of the cells that the whole meets. The share of a state is the mean of those of
+    /// its cells, 1 where it is full and 0 without pieces: the only solution, as every other state leads to an empty
+    /// cell. States whose cells have the same classes have the same share. Of too many classes there are bounds.
+    std::pair<Rational, Rational> area() const {
+        if (begin_.empty()) return {};
+        const std::vector<std::size_t> classes = classes_of_shares();
+        const std::size_t count = *std::max_element(classes.begin(), classes.end()) + 1;
+        constexpr std::size_t most_classes = 600;
+        if (count > most_classes) return {counted(false), counted(true)};
+        // Gaussian elimination; rows are sparse and pivots stand in the diagonal, which outweighs the rest.
+        std::vector<std::map<std::size_t, Rational>> rows(count);
+        std::vector<Rational> right(count, Rational(0));
+        std::vector<bool> done(count, false);
+        const Rational share(1, static_cast<std::int64_t>(digits_.size()));
+        for (std::size_t k = 0; k < states_.size(); ++k) {
+            const std::size_t own = classes[k];
+            if (done[own]) continue;
+            done[own] = true;
+            rows[own][own] = Rational(1);
+            if (full_[k]) {
+                right[own] = Rational(1);
+                continue;
+            }
+            for (const std::size_t next : states_[k])
+                if (next != nowhere) rows[own][classes[next]] -= share;
+        }
+        for (std::size_t pivot = 0; pivot < count; ++pivot) {
+            budget_.check();
+            const Rational scale = rows[pivot].at(pivot);
+            for (auto& [column, value] : rows[pivot]) value /= scale;
+            right[pivot] /= scale;
+            for (std::size_t row = 0; row < count; ++row) {
+                const auto at = rows[row].find(pivot);
+                if (row == pivot || at == rows[row].end()) continue;
+                const Rational times = at->second;
+                for (const auto& [column, value] : rows[pivot]) {
+                    Rational& entry = rows[row][column];
+                    entry -= times * value;
+                    if (entry.is_zero()) rows[row].erase(column);
+                }
+                right[row] -= times * right[pivot];
+            }
+        }
+        Rational sum = 0;
+        for (const std::size_t state : begin_) sum += right[classes[state]];
+        return {sum, sum};
+    }
+
+    /// The area of the cells of a deep level that are full, or that are touched.
+    Rational counted(bool touched) const {
+        constexpr std::uint64_t level = 400;
+        std::vector<Integer> counts(states_.size(), Integer(0));
+        for (std::size_t k = 0; k < states_.size(); ++k)
+            if (touched || full_[k]) counts[k] = 1;
+        Integer cells = 1;
+        const Integer parts(static_cast<std::int64_t>(digits_.size()));
+        for (std::uint64_t n = 0; n < level; ++n) {
+            budget_.check();
+            std::vector<Integer> next(states_.size(), Integer(0));
+            for (std::size_t k = 0; k < states_.size(); ++k)
+                for (const std::size_t part : states_[k])
+                    if (part != nowhere) next[k] += counts[part];
+            counts = std::move(next);
+            cells *= parts;
+        }
+        Integer sum = 0;
+        for (const std::size_t state : begin_) sum += counts[state];
+        return Rational(std::move(sum), std::move(cells));
+    }
+
+    /// Full states are one class, and states are as long of one class as their cells are.
+    std::vector<std::size_t> classes_of_shares() const {
+        std::vector<std::size_t> classes(states_.size());
+        for (std::size_t k = 0; k < states_.size(); ++k) classes[k] = full_[k] ? 1 : 0;
+        for (std::size_t count = 0;;) {
+            budget_.check();
+            std::map<std::vector<std::size_t>, std::size_t> seen;
+            std::vector<std::size_t> finer(states_.size());
+            for (std::size_t k = 0; k < states_.size(); ++k) {
+                std::vector<std::size_t> key;
+                if (!full_[k])
+                    for (const std::size_t next : states_[k])
+                        key.push_back(next == nowhere ? nowhere : classes[next]);
+                std::sort(key.begin(), key.end());
+                key.push_back(classes[k]);
+                finer[k] = seen.try_emplace(std::move(key), seen.size()).first->second;
+            }
+            classes = std::move(finer);
+            if (seen.size() == count) return classes;
+            count = seen.size();
+        }
+    }
+
+    const LatticeSet& set_;
     const Budget& budget_;
     std::size_t most_;
     std::vector<Place> digits_;
-    std::vector<Turned> turned_;
-    std::vector<std::vector<Move>> moves_;  // by turned piece
-    std::vector<std::complex<double>> centres_;
-    std::vector<Move> axiom_;
-    std::complex<double> centre_;
-    double radius_ = 0;
+    LatticeSet with_cell_;
+    std::vector<RecurrentSet::Disc> discs_;  // that of the cell comes last
     std::map<std::pair<std::size_t, Place>, std::size_t> numbers_;
     std::vector<Pair> pairs_;
     std::map<Place, std::vector<std::size_t>> starts_;  // by cell
+    std::vector<std::size_t> begin_;                    // their states
     std::map<std::vector<std::size_t>, std::size_t> state_numbers_;
     std::vector<const std::vector<std::size_t>*> sets_;
     std::vector<std::vector<std::size_t>> states_;
@@ -560,15 +626,182 @@ private:
     std::uint64_t held_ = 0;
 };
 
+/// The positions and turned pieces of a recurrent set in a frame whose positions lie in a lattice.
+LatticeSet in_lattice(const RecurrentSet& set, const Reached& reached, const Lattice& lattice) {
+    const Displacement& displacement = set.displacement();
+    LatticeSet out;
+    std::map<Turned, std::size_t> numbers;
+    for (const Turned& at : reached.pieces) numbers.emplace(at, numbers.size());
+    const auto part_of = [&](std::size_t piece, std::int64_t heading, const Vector& vector) {
+        const auto found = coordinates(lattice.basis, vector);
+        if (!found) throw Error("a position lies beside its lattice");
+        return LatticeSet::Part{numbers.at({piece, normal_heading(heading, set.order())}),
+                                {found->x, found->y, 0}};
+    };
+    for (const Turned& at : reached.pieces) {
+        out.shapes.push_back(at.piece);
+        auto& own = out.parts.emplace_back();
+        for (const RecurrentSet::Part& part : set.parts(at.piece)) {
+            const std::int64_t heading = at.heading + lattice.shift;
+            own.push_back(part_of(part.piece, heading + part.heading,
+                                  displacement.turned(part.offset, heading)));
+        }
+    }
+    for (const RecurrentSet::Part& part : set.axiom()) {
+        Vector offset = part.offset;
+        displacement.subtract(offset, set.axiom().front().offset);
+        out.whole.push_back(part_of(part.piece, part.heading, offset));
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        out.places[i] = {lattice.values[i].real(), lattice.values[i].imag()};
+        out.scale[i] = {lattice.scale[i].x, lattice.scale[i].y, 0};
+    }
+    const double across = lattice.factor.real(), up = lattice.factor.imag();
+    out.linear = {across, -up, up, across};
+    return out;
+}
+
+/// Sets the area of a cell in the square of the distance from the beginning of the axiom's way to its end, or of its first part that
+/// has one. A multiplication X = t/2 + s J by a complex number, where J turns by a right angle and 4 s^2 = 4 det X - t^2, gives
+/// |v|^2 = det(v, J v), so a cell is as large as sqrt(4 det X - t^2) / det(v, (2X - t) v) of |v|^2.
+void set_cell(LatticeSet& out, const RecurrentSet& set, const Lattice& lattice) {
+    const Displacement& displacement = set.displacement();
+    Vector way = displacement.zero(), first = way, here = way;
+    std::vector<Vector> saved;
+    for (const Unfolding::Item& item : set.unfolding().axiom) {
+        if (item.kind == Unfolding::Item::Kind::push) {
+            saved.push_back(here);
+        } else if (item.kind == Unfolding::Item::Kind::pop) {
+            here = std::move(saved.back());
+            saved.pop_back();
+        } else {
+            const Vector step = displacement.turned(displacement.way(item.piece), item.heading);
+            if (first == displacement.zero()) first = step;
+            displacement.add(here, step);
+        }
+    }
+    const bool is_closed = here == displacement.zero();
+    const auto unit = shares(lattice.basis, is_closed ? first : here);
+    if (!unit || ((*unit)[0].is_zero() && (*unit)[1].is_zero())) return;
+    std::vector<std::array<std::array<Rational, 2>, 2>> turns;  // rows: images of the basis
+    turns.push_back({{{Rational(lattice.scale[0].x), Rational(lattice.scale[0].y)},
+                      {Rational(lattice.scale[1].x), Rational(lattice.scale[1].y)}}});
+    for (std::int64_t heading = 1; heading < set.order(); ++heading) {
+        const auto one = shares(lattice.basis, displacement.turned(lattice.basis[0], heading));
+        const auto two = shares(lattice.basis, displacement.turned(lattice.basis[1], heading));
+        if (one && two) turns.push_back({*one, *two});
+    }
+    for (const auto& x : turns) {
+        const Rational trace = x[0][0] + x[1][1];
+        const Rational whole = x[0][0] * x[1][1] - x[0][1] * x[1][0];
+        const Rational square = Rational(4) * whole - trace * trace;
+        if (!(Rational(0) < square)) continue;
+        std::array<Rational, 2> image;
+        for (std::size_t k = 0; k < 2; ++k)
+            image[k] = Rational(2) * ((*unit)[0] * x[0][k] + (*unit)[1] * x[1][k]) -
+                       trace * (*unit)[k];
+        const Rational area = (*unit)[0] * image[1] - (*unit)[1] * image[0];
+        out.cell_square = square / (area * area);
+        out.unit = is_closed ? "the square of the distance from the beginning of its first part to its end"
+                             : "the square of the distance from its beginning to its end";
+        return;
+    }
+}
+
 }  // namespace
 
-CellGrowth cell_growth(const RecurrentSet& set, const Budget& budget, std::size_t most) {
+Point LatticeSet::place(const Vector& vector) const {
+    Point found;
+    for (std::size_t k = 0; k < rank; ++k) {
+        found.x += static_cast<double>(vector[k]) * places[k].x;
+        found.y += static_cast<double>(vector[k]) * places[k].y;
+    }
+    return found;
+}
+
+LatticeSet::Vector LatticeSet::scaled(const Vector& vector) const {
+    Vector found{};
+    for (std::size_t i = 0; i < rank; ++i)
+        for (std::size_t k = 0; k < rank; ++k) found[k] += vector[i] * scale[i][k];
+    return found;
+}
+
+std::int64_t LatticeSet::determinant() const {
+    return scale[0][0] * scale[1][1] - scale[0][1] * scale[1][0];
+}
+
+/// From discs around the beginnings that are large enough, towards smaller ones around the middles of their parts.
+std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set) {
+    const auto& [a, b, c, d] = set.linear;
+    const double whole = a * d - b * c;
+    // The norm of a matrix of the plane is half the sum of two lengths.
+    const double norm = (std::hypot(a + d, c - b) + std::hypot(a - d, b + c)) / 2;
+    const double shrinking = norm / std::abs(whole);  // of the inverse
+    if (!(shrinking < 1)) throw Error("some distances do not become smaller in parts");
+    const auto smaller = [&](std::complex<double> at) {
+        return std::complex<double>{(d * at.real() - b * at.imag()) / whole,
+                                    (a * at.imag() - c * at.real()) / whole};
+    };
+    std::vector<std::vector<std::complex<double>>> offsets;
+    double farthest = 0;
+    for (const auto& own : set.parts) {
+        auto& places = offsets.emplace_back();
+        for (const LatticeSet::Part& part : own) {
+            const Point at = set.place(part.by);
+            places.push_back(smaller({at.x, at.y}));
+            farthest = std::max(farthest, std::abs(places.back()));
+        }
+    }
+    const double first = farthest / (1 - shrinking);
+    std::vector<RecurrentSet::Disc> discs(set.parts.size(), {0, first});
+    constexpr int rounds = 60;
+    constexpr double wider = 1e-6;
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<RecurrentSet::Disc> next = discs;
+        for (std::size_t s = 0; s < discs.size(); ++s) {
+            if (set.parts[s].empty()) continue;
+            double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+            std::vector<RecurrentSet::Disc> inner;
+            for (std::size_t i = 0; i < set.parts[s].size(); ++i) {
+                const auto& of = discs[set.parts[s][i].state];
+                inner.push_back({smaller(of.centre) + offsets[s][i], of.radius * shrinking});
+                const auto& [centre, radius] = inner.back();
+                left = std::min(left, centre.real() - radius);
+                right = std::max(right, centre.real() + radius);
+                low = std::min(low, centre.imag() - radius);
+                high = std::max(high, centre.imag() + radius);
+            }
+            RecurrentSet::Disc tighter{{(left + right) / 2, (low + high) / 2}, 0};
+            for (const auto& [centre, radius] : inner)
+                tighter.radius =
+                    std::max(tighter.radius, std::abs(centre - tighter.centre) + radius);
+            if (tighter.radius < discs[s].radius) next[s] = tighter;
+        }
+        discs = std::move(next);
+    }
+    for (RecurrentSet::Disc& disc : discs) disc.radius += wider * (disc.radius + first);
+    return discs;
+}
+
+LatticeSet lattice_set(const RecurrentSet& set, const Budget& budget) {
     for (std::int64_t shift = 0; shift < set.order(); ++shift) {
         const Reached reached = reached_in(set, shift, budget);
-        if (const auto lattice = lattice_in(set, reached, shift))
-            return CellCensus(set, *lattice, reached, budget, most).growth();
+        if (const auto lattice = lattice_in(set, reached, shift)) {
+            LatticeSet found = in_lattice(set, reached, *lattice);
+            set_cell(found, set, *lattice);
+            return found;
+        }
     }
     throw Error("positions lie in no lattice of the plane");
+}
+
+CellGrowth cell_growth(const LatticeSet& set, CellQuestion question, const Budget& budget,
+                       std::size_t most) {
+    return CellCensus(set, budget, most).growth(question);
+}
+
+CellGrowth cell_growth(const RecurrentSet& set, const Budget& budget, std::size_t most) {
+    return cell_growth(lattice_set(set, budget), CellQuestion::boundary, budget, most);
 }
 
 }  // namespace algae

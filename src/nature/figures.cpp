@@ -1,6 +1,8 @@
 #include <fmt/args.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <nlohmann/json.hpp>
 
 #include "nature/detail/figures.hpp"
@@ -248,6 +250,38 @@ std::vector<Point> graph_path(const std::vector<double>& values, double breadth)
     for (std::size_t i = 0; i < values.size(); ++i)
         points.push_back({breadth * static_cast<double>(i) / last, (values[i] - *low) * scale});
     return points;
+}
+
+std::unique_ptr<Figure> tile_figure(const Tile& tile, const Budget& budget) {
+    constexpr std::size_t across = 400;
+    const Colour colours[] = {{0.71, 0.28, 0.16}, {0.38, 0.58, 0.67}, {0.92, 0.76, 0.47},
+                              {0.58, 0.69, 0.53}, {0.63, 0.57, 0.72}, {0.75, 0.8, 0.84},
+                              {0.84, 0.66, 0.6}};
+    constexpr std::size_t count = std::size(colours);
+    std::vector<std::vector<Point>> outlines = tile_outlines(tile, across, budget);
+    // Corners are those of a grid, so tiles that touch each other share some.
+    std::map<std::pair<double, double>, std::set<std::size_t>> corners;
+    for (std::size_t k = 0; k < outlines.size(); ++k)
+        for (const Point& corner : outlines[k]) corners[{corner.x, corner.y}].insert(k);
+    std::vector<std::set<std::size_t>> beside(outlines.size());
+    for (const auto& [corner, tiles] : corners)
+        for (const std::size_t k : tiles) beside[k].insert(tiles.begin(), tiles.end());
+    std::vector<std::size_t> chosen;
+    std::vector<Path> paths;
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+        std::size_t colour = k == 0 ? 0 : 1;
+        while (k > 0 && colour + 1 < count &&
+               std::any_of(beside[k].begin(), beside[k].end(),
+                           [&](std::size_t i) { return i < k && chosen[i] == colour; }))
+            ++colour;
+        chosen.push_back(colour);
+        Path path;
+        path.filled = true;
+        path.points = std::move(outlines[k]);
+        path.paint = colours[colour];
+        paths.push_back(std::move(path));
+    }
+    return std::make_unique<PathFigure>(std::move(paths));
 }
 
 }  // namespace algae

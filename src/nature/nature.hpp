@@ -161,6 +161,17 @@ public:
 /// Throws what RecurrentSet throws where the system has none, and Error if it is not a D0L system.
 IteratedFunctions functions_of_curve(const Model& system, const Budget& budget = {});
 
+/// The attractor as a set of a lattice, for maps that are one linear map after turns and reflections from a finite group: with M^-1 the
+/// matrix of the first map and P any of the group, P K is M^-1 times parts of the same kind. Areas are those of the plane.
+///
+/// Throws Error, with the reason, where numbers are not in one field (`CyclotomicField`), where there is no such M, or where vectors
+/// do not lie in a lattice; BoundReached where they need too many digits.
+LatticeSet lattice_set(const IteratedFunctions& system, const Budget& budget = {});
+
+/// A tile and its neighbours as polygons (`tile_outlines`), the tile in a strong colour and neighbours that touch each other in different
+/// ones as long as these last.
+std::unique_ptr<Figure> tile_figure(const Tile& tile, const Budget& budget = {});
+
 // Cellular automata.
 
 /// A cell beside a cell: so many columns to the right and rows downward.
@@ -599,6 +610,10 @@ RauzyFractal rauzy_fractal(const D0L& system, const Budget& budget = {});
 ///
 /// Example: rauzy_functions(d0l("a", {{'a', "ab"}, {'b', "ac"}, {'c', "a"}})).states.size() == 4
 IteratedFunctions rauzy_functions(const D0L& system, const Budget& budget = {});
+
+/// The fractal as a set of the lattice of the vectors of three letters, which lies densely in the plane, with the periods of its periodic
+/// tiling where it has one. Throws what `rauzy_fractal` throws, and Error for another number of letters.
+LatticeSet rauzy_lattice_set(const D0L& system, const Budget& budget = {});
 
 /// What is drawn of a fractal in the plane: its parts, or these among their neighbours of one of the two tilings.
 enum class RauzyPicture { fractal, periodic, self_replicating };

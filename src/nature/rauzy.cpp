@@ -514,6 +514,40 @@ IteratedFunctions rauzy_functions(const D0L& system, const Budget& budget) {
     return found;
 }
 
+LatticeSet rauzy_lattice_set(const D0L& system, const Budget& budget) {
+    const Substitution of(system);
+    if (of.size() != 3)
+        throw Error("expected three letters, whose fractal lies in the plane, found " +
+                    std::to_string(of.size()));
+    const Embedding projection(of);
+    LatticeSet found;
+    found.rank = 3;
+    const auto vector_of = [](const LetterCounts& counts) {
+        return LatticeSet::Vector{counts[0], counts[1], counts[2]};
+    };
+    // T_a = alpha (T_b + u(p M^-1)), and so on; an axis each for two real conjugates.
+    for (std::size_t a = 0; a < 3; ++a) {
+        LetterCounts unit(3, 0);
+        unit[a] = 1;
+        found.scale[a] = vector_of(of.before(unit));
+        const Complex first = projection.place(unit, 0);
+        found.places[a] = projection.planes() == 1
+                              ? Point{first.real(), first.imag()}
+                              : Point{first.real(), projection.place(unit, 1).real()};
+        found.parts.emplace_back();
+        for (const Occurrence& place : of.places(a))
+            found.parts.back().push_back({place.whole, vector_of(of.before(place.before))});
+        found.shapes.push_back(a);
+        found.whole.push_back({a, {}});
+    }
+    const Complex factor = 1.0 / projection.factor(0);
+    found.linear = {factor.real(), -factor.imag(), factor.imag(), factor.real()};
+    if (projection.planes() == 2)
+        found.linear = {factor.real(), 0, 0, (1.0 / projection.factor(1)).real()};
+    if (rauzy_fractal(system, budget).tiles) found.periods = {{{1, 0, -1}, {0, 1, -1}}};
+    return found;
+}
+
 namespace {
 
 /// A face of the stepped plane: the parallelogram from a vector along the two other letters than its own.

@@ -283,4 +283,293 @@ Separation separation(const IteratedFunctions& system, const std::vector<std::si
     return coincide ? Separation::coincide : Separation::apart;
 }
 
+namespace {
+
+using Row = std::array<Number, 2>;     // a vector
+using Matrix = std::array<Number, 4>;  // by rows
+
+/// A map of a file as a matrix and a vector of real numbers of a field.
+struct ExactMap {
+    Matrix matrix;
+    Row shift;
+};
+
+/// What can be done with real matrices of the plane over a field.
+class ExactPlane {
+public:
+    explicit ExactPlane(long order) : field_(order) {}
+
+    const CyclotomicField& field() const { return field_; }
+
+    Number less(const Number& left, const Number& right) const {
+        return field_.difference(left, right);
+    }
+    Number combined(const Number& a, const Number& x, const Number& b, const Number& y) const {
+        return field_.sum(field_.product(a, x), field_.product(b, y));
+    }
+    Number determinant(const Matrix& m) const {
+        return less(field_.product(m[0], m[3]), field_.product(m[1], m[2]));
+    }
+    Matrix product(const Matrix& a, const Matrix& b) const {
+        return {combined(a[0], b[0], a[1], b[2]), combined(a[0], b[1], a[1], b[3]),
+                combined(a[2], b[0], a[3], b[2]), combined(a[2], b[1], a[3], b[3])};
+    }
+    Row product(const Matrix& a, const Row& v) const {
+        return {combined(a[0], v[0], a[1], v[1]), combined(a[2], v[0], a[3], v[1])};
+    }
+    Row sum(const Row& a, const Row& b) const {
+        return {field_.sum(a[0], b[0]), field_.sum(a[1], b[1])};
+    }
+    Row difference(const Row& a, const Row& b) const { return {less(a[0], b[0]), less(a[1], b[1])}; }
+    Matrix identity() const {
+        return {field_.rational(1), field_.rational(0), field_.rational(0), field_.rational(1)};
+    }
+    Matrix inverse(const Matrix& m) const {
+        const Number factor = field_.inverse(determinant(m)), zero = field_.rational(0);
+        return {field_.product(factor, m[3]), field_.product(factor, less(zero, m[1])),
+                field_.product(factor, less(zero, m[2])), field_.product(factor, m[0])};
+    }
+    double real(const Number& value) const { return field_.to_complex(value).real(); }
+    Point place(const Row& v) const { return {real(v[0]), real(v[1])}; }
+
+    /// Throws Error where a number is not one of the field, or areas vanish.
+    ExactMap exactly(const IteratedFunctions::Map& map) const {
+        const auto value = [&](const Quantity& number) {
+            const auto found = number.exact ? field_.rational(*number.exact)
+                                            : field_.value_of(number.expression);
+            if (!found) throw Error(map.name + " has a number that is not known exactly");
+            return *found;
+        };
+        ExactMap found;
+        if (map.similarity) {
+            const Number ratio = value(map.similarity->first);
+            const auto turn = map.similarity->second.exact
+                                  ? field_.direction(*map.similarity->second.exact)
+                                  : std::nullopt;
+            if (!turn) throw Error(map.name + " turns by an angle that is not known exactly");
+            const Number back = field_.conjugate(*turn), half = field_.rational(Rational(1, 2));
+            const Number c = field_.product(half, field_.product(ratio, field_.sum(*turn, back)));
+            const Number s = field_.product(
+                field_.product(half, field_.zeta(-field_.order() / 4)),
+                field_.product(ratio, less(*turn, back)));
+            found.matrix = {c, less(field_.rational(0), s), s, c};
+        } else {
+            for (std::size_t k = 0; k < 4; ++k) found.matrix[k] = value(map.numbers[k]);
+        }
+        found.shift = {value(map.numbers[4]), value(map.numbers[5])};
+        if (field_.is_zero(determinant(found.matrix)))
+            throw Error(map.name + " makes a line or a point of the plane");
+        return found;
+    }
+
+private:
+    CyclotomicField field_;
+};
+
+/// The lattice that vectors and their images under a map span.
+class SpannedLattice {
+public:
+    SpannedLattice(const ExactPlane& plane, const Matrix& map, const std::vector<Row>& vectors)
+        : plane_(plane) {
+        constexpr int most_rounds = 40;
+        std::vector<Row> all = vectors;
+        for (int round = 0;; ++round) {
+            if (round == most_rounds) none();
+            basis_ = basis_of(all);
+            if (basis_.size() > 2 || basis_.empty()) none();
+            all = basis_;
+            bool is_closed = basis_.size() == 2;
+            for (const Row& vector : basis_) {
+                const Row image = plane.product(map, vector);
+                if (basis_.size() == 2 && coordinates(image)) continue;
+                is_closed = false;
+                all.push_back(image);
+            }
+            if (is_closed) break;
+            if (basis_of(all) == basis_)
+                throw Error("all parts lie on a line");
+        }
+        reduce();
+    }
+
+    const std::vector<Row>& basis() const { return basis_; }
+    Number area() const {
+        return plane_.determinant({basis_[0][0], basis_[0][1], basis_[1][0], basis_[1][1]});
+    }
+
+    /// Nothing for what lies beside the lattice.
+    std::optional<LatticeSet::Vector> coordinates(const Row& vector) const {
+        const CyclotomicField& field = plane_.field();
+        const Number whole = area();
+        if (field.is_zero(whole)) return std::nullopt;
+        const Number factor = field.inverse(whole);
+        LatticeSet::Vector found{};
+        const std::array<Matrix, 2> replaced{
+            Matrix{vector[0], vector[1], basis_[1][0], basis_[1][1]},
+            Matrix{basis_[0][0], basis_[0][1], vector[0], vector[1]}};
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto value =
+                field.as_rational(field.product(factor, plane_.determinant(replaced[k])));
+            if (!value || !value->is_integer()) return std::nullopt;
+            constexpr std::int64_t largest = std::int64_t{1} << 30;
+            if (abs(*value) > Rational(largest))
+                throw BoundReached(Bound::digits, "positions in a lattice need too many digits");
+            found[k] = value->numerator().to_int64();
+        }
+        return found;
+    }
+
+private:
+    [[noreturn]] static void none() { throw Error("positions lie in no lattice of the plane"); }
+
+    std::vector<Row> basis_of(const std::vector<Row>& vectors) const {
+        const CyclotomicField& field = plane_.field();
+        Integer common = 1;
+        for (const Row& vector : vectors)
+            for (const Number& number : vector) common = lcm(common, number.below);
+        const std::size_t degree = field.degree();
+        IntegerMatrix rows(vectors.size(), 2 * degree);
+        for (std::size_t i = 0; i < vectors.size(); ++i)
+            for (std::size_t k = 0; k < 2; ++k) {
+                const Integer times = exact_divide(common, vectors[i][k].below);
+                for (std::size_t c = 0; c < degree; ++c)
+                    rows(i, k * degree + c) = times * vectors[i][k].above.coefficients[c];
+            }
+        const IntegerMatrix reduced = lattice_basis(rows);
+        std::vector<Row> found;
+        for (std::size_t i = 0; i < reduced.rows(); ++i) {
+            Row& vector = found.emplace_back(Row{field.rational(0), field.rational(0)});
+            for (std::size_t k = 0; k < 2; ++k)
+                for (std::size_t c = 0; c < degree; ++c)
+                    vector[k] = field.sum(
+                        vector[k],
+                        field.product(field.rational(Rational(reduced(i, k * degree + c), common)),
+                                      field.zeta(static_cast<std::int64_t>(c))));
+        }
+        return found;
+    }
+
+    /// Short vectors (Gauss).
+    void reduce() {
+        const CyclotomicField& field = plane_.field();
+        for (int round = 0; round < 200; ++round) {
+            const Point first = plane_.place(basis_[0]), second = plane_.place(basis_[1]);
+            const double one = std::hypot(first.x, first.y), two = std::hypot(second.x, second.y);
+            if (two < one * (1 - 1e-9)) {
+                std::swap(basis_[0], basis_[1]);
+                continue;
+            }
+            const double times =
+                std::round((first.x * second.x + first.y * second.y) / (one * one));
+            if (times == 0 || !(std::fabs(times) < 1e9)) return;
+            const Number factor = field.rational(Rational(static_cast<std::int64_t>(times)));
+            const Row shorter = plane_.difference(
+                basis_[1], {field.product(factor, basis_[0][0]), field.product(factor, basis_[0][1])});
+            const Point found = plane_.place(shorter);
+            if (std::hypot(found.x, found.y) >= two * (1 - 1e-9)) return;
+            basis_[1] = shorter;
+        }
+    }
+
+    const ExactPlane& plane_;
+    std::vector<Row> basis_;
+};
+
+}  // namespace
+
+LatticeSet lattice_set(const IteratedFunctions& system, const Budget& budget) {
+    constexpr std::size_t most_states = 300;
+    const auto order = common_order(system.maps);
+    if (!order) throw Error("numbers are not in one field of roots of unity");
+    const ExactPlane plane(*order);
+    const CyclotomicField& field = plane.field();
+    std::vector<ExactMap> maps;
+    for (const auto& map : system.maps) maps.push_back(plane.exactly(map));
+    // A first state that does not come back and whose maps keep areas only places the others.
+    const bool places = !system.recurrent_states().front() &&
+                        std::all_of(system.maps.begin(), system.maps.end(), [](const auto& map) {
+                            return map.from != 0 || !(norm(map.map) < 1);
+                        });
+    const auto first = std::find_if(system.maps.begin(), system.maps.end(), [&](const auto& map) {
+        return !places || map.from != 0;
+    });
+    if (first == system.maps.end()) throw Error("no map comes back");
+    const std::size_t first_number = static_cast<std::size_t>(first - system.maps.begin());
+    const Matrix factor = plane.inverse(maps[first_number].matrix);  // M
+
+    struct State {
+        std::size_t state;
+        Matrix turn;
+    };
+    std::vector<State> states;
+    LatticeSet out;
+    const auto number = [&](std::size_t state, const Matrix& turn) {
+        for (std::size_t k = 0; k < states.size(); ++k)
+            if (states[k].state == state && states[k].turn == turn) return k;
+        if (states.size() == most_states)
+            throw Error("maps differ by more than turns and reflections of a finite group");
+        states.push_back({state, turn});
+        out.shapes.push_back(state);
+        return states.size() - 1;
+    };
+    std::vector<std::pair<std::size_t, Row>> whole;
+    const Row origin{field.rational(0), field.rational(0)};
+    if (places)
+        for (std::size_t m = 0; m < maps.size(); ++m) {
+            if (system.maps[m].from != 0) continue;
+            whole.emplace_back(number(system.maps[m].to, maps[m].matrix),
+                               plane.difference(maps[m].shift, maps.front().shift));
+        }
+    else
+        whole.emplace_back(number(0, plane.identity()), origin);
+    // Of one state, the fixed point of the first map is put to 0.
+    Row middle = origin;
+    if (system.states.size() == 1) {
+        const Matrix& own = maps.front().matrix;
+        const Matrix one = plane.identity();
+        middle = plane.product(plane.inverse({plane.less(one[0], own[0]), plane.less(one[1], own[1]),
+                                              plane.less(one[2], own[2]), plane.less(one[3], own[3])}),
+                               maps.front().shift);
+    }
+    std::vector<std::vector<std::pair<std::size_t, Row>>> parts;
+    std::vector<Row> vectors;
+    for (std::size_t s = 0; s < states.size(); ++s) {
+        budget.check();
+        const State at = states[s];
+        auto& own = parts.emplace_back();
+        const Row centre = plane.product(at.turn, middle);
+        for (std::size_t m = 0; m < maps.size(); ++m) {
+            if (system.maps[m].from != at.state) continue;
+            const Matrix turn = plane.product(factor, plane.product(at.turn, maps[m].matrix));
+            const std::size_t to = number(system.maps[m].to, turn);
+            const Row by = plane.sum(
+                plane.product(factor,
+                              plane.difference(plane.product(at.turn, maps[m].shift), centre)),
+                plane.product(turn, middle));
+            own.emplace_back(to, by);
+            vectors.push_back(by);
+        }
+    }
+    for (const auto& [state, by] : whole) vectors.push_back(by);
+    const SpannedLattice lattice(plane, factor, vectors);
+    const auto vector_of = [&](const Row& vector) {
+        const auto found = lattice.coordinates(vector);
+        if (!found) throw Error("positions lie in no lattice of the plane");
+        return *found;
+    };
+    for (const auto& own : parts) {
+        out.parts.emplace_back();
+        for (const auto& [state, by] : own) out.parts.back().push_back({state, vector_of(by)});
+    }
+    for (const auto& [state, by] : whole) out.whole.push_back({state, vector_of(by)});
+    for (std::size_t k = 0; k < 2; ++k) {
+        out.places[k] = plane.place(lattice.basis()[k]);
+        out.scale[k] = vector_of(plane.product(factor, lattice.basis()[k]));
+    }
+    for (std::size_t k = 0; k < 4; ++k) out.linear[k] = plane.real(factor[k]);
+    const Number area = lattice.area();
+    out.cell_square = field.as_rational(field.product(area, area));
+    return out;
+}
+
 }  // namespace algae

@@ -259,6 +259,105 @@ Json bounds_json(const DimensionReport& found) {
             {"reached", found.is_within()}};
 }
 
+/// "yes", "no" or "not decided", and why.
+std::string finding_text(const Tile::Finding& finding) {
+    const char* const answer = finding.answer == Tile::Answer::yes  ? "yes"
+                               : finding.answer == Tile::Answer::no ? "no"
+                                                                    : "not decided";
+    return answer + (finding.because.empty() ? "" : ": " + finding.because);
+}
+
+std::string area_text(const Tile& tile) {
+    if (tile.area_square)
+        return square_root_text(*tile.area_square) +
+               (tile.unit.empty() ? "" : " of " + tile.unit);
+    const auto cells = [&](const Rational& count) {
+        return to_string(count) + (count == 1 ? " cell" : " cells");
+    };
+    const std::string of = tile.is_periodic ? " of its tiling" : " of its lattice";
+    if (tile.cells) return cells(*tile.cells) + of;
+    if (!tile.cells_between) return "not decided";
+    constexpr int few = 6;
+    const auto& [low, high] = *tile.cells_between;
+    const Rational unit = power(Rational(10), few);
+    return "between " + shortest_text(Rational(floor(low * unit)) / unit) + " and " +
+           shortest_text(Rational(ceiling(high * unit)) / unit) + " cells" + of;
+}
+
+std::string neighbours_text(const Tile& tile) {
+    std::string text = std::to_string(tile.least_neighbours);
+    if (tile.most_neighbours != tile.least_neighbours)
+        text += " to " + std::to_string(tile.most_neighbours);
+    return text + (tile.is_periodic ? " in the tiling by its lattice" : " in the tiling that it makes");
+}
+
+/// The lines on a tile; its area stands in the first one unless another one says what it is.
+std::string tile_lines(const Tile& tile) {
+    std::string text;
+    if (tile.most_neighbours > 0) text += "  neighbours: " + neighbours_text(tile) + "\n";
+    text += "  connected: " + finding_text(tile.connected) + "\n";
+    text += "  like a disc: " + finding_text(tile.disk_like) + "\n";
+    if (tile.disk_like.answer != Tile::Answer::yes) {
+        text += "  interior connected: " + finding_text(tile.interior_connected) + "\n";
+        if (tile.infinitely_many.answer == Tile::Answer::yes)
+            text += "  components of the interior: infinitely many, as " +
+                    tile.infinitely_many.because + "\n";
+    }
+    return text;
+}
+
+std::string tile_page(const DimensionReport& found) {
+    if (!found.tile) return found.no_tile.empty() ? "" : "tile: not decided: " + found.no_tile + "\n\n";
+    const Tile& tile = *found.tile;
+    if (tile.cells && tile.cells->is_zero()) return "";
+    if (tile.is_tile.answer != Tile::Answer::yes)
+        return "tile: " + finding_text(tile.is_tile) + "\n  area: " + area_text(tile) + "\n\n";
+    return "tile: its parts overlap in sets of the area 0\n  area: " + area_text(tile) + "\n" +
+           tile_lines(tile) + "\n";
+}
+
+Json finding_json(const Tile::Finding& finding) {
+    const Json answer = finding.answer == Tile::Answer::undecided
+                            ? Json()
+                            : Json(finding.answer == Tile::Answer::yes);
+    return {{"answer", answer}, {"because", finding.because}};
+}
+
+Json tile_json(const Tile& tile) {
+    Json area{{"exact", tile.area_square ? Json(square_root_text(*tile.area_square)) : Json()},
+              {"unit", tile.unit},
+              {"cells", tile.cells ? Json(to_string(*tile.cells)) : Json()},
+              {"at_least", Json()},
+              {"at_most", Json()}};
+    if (tile.cells_between) {
+        area.set("at_least", tile.cells_between->first.to_double());
+        area.set("at_most", tile.cells_between->second.to_double());
+    }
+    Json neighbours = Json::array(), basis = Json::array();
+    for (const LatticeSet::Part& neighbour : tile.neighbours) {
+        Json by = Json::array();
+        for (std::size_t k = 0; k < tile.set.rank; ++k) by.add(neighbour.by[k]);
+        neighbours.add({{"state", neighbour.state}, {"moved_by", std::move(by)}});
+    }
+    for (std::size_t k = 0; k < tile.set.rank; ++k) {
+        Json place = Json::array();
+        place.add(tile.set.places[k].x);
+        place.add(tile.set.places[k].y);
+        basis.add(std::move(place));
+    }
+    return {{"is_tile", finding_json(tile.is_tile)},
+            {"area", std::move(area)},
+            {"least_neighbours", tile.least_neighbours},
+            {"most_neighbours", tile.most_neighbours},
+            {"periodic", tile.is_periodic},
+            {"basis", std::move(basis)},
+            {"neighbours", std::move(neighbours)},
+            {"connected", finding_json(tile.connected)},
+            {"disk_like", finding_json(tile.disk_like)},
+            {"interior_connected", finding_json(tile.interior_connected)},
+            {"interior_infinitely_many", finding_json(tile.infinitely_many)}};
+}
+
 }  // namespace
 
 std::string to_text(const RauzyReport& report) {
@@ -286,6 +385,8 @@ std::string to_text(const RauzyReport& report) {
     text += found.connected         ? "proved: the fractal and each of its parts are connected\n"
             : found.parts_connected ? "proved: each part is connected, the fractal is not\n"
                                     : "proved: some part is not connected\n";
+    if (report.tile && report.tile->is_tile.answer == Tile::Answer::yes)
+        text += "in the periodic tiling:\n" + tile_lines(*report.tile);
     return text;
 }
 
@@ -309,18 +410,24 @@ Json to_json(const RauzyReport& report) {
             {"parts_connected", found.parts_connected},
             {"connected", found.connected},
             {"boundary", std::move(boundary)},
-            {"neighbours", std::move(neighbours)}};
+            {"neighbours", std::move(neighbours)},
+            {"tile", report.tile ? tile_json(*report.tile) : Json()}};
 }
 
 std::string to_text(const DimensionReport& found) {
     return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") +
-           bounds_page(found) + box_page(found);
+           tile_page(found) + bounds_page(found) + box_page(found);
 }
 
 Json to_json(const DimensionReport& found) {
     Json json{{"input", found.what}};
     if (found.generation) json.set("generation", *found.generation);
-    if (found.exact) json.set("exact", exact_json(*found.exact));
+    if (found.exact) {
+        json.set("exact", exact_json(*found.exact));
+        json.set("tile", found.tile                ? tile_json(*found.tile)
+                         : !found.no_tile.empty() ? Json{{"reason", found.no_tile}}
+                                                  : Json());
+    }
     if (found.bounds) json.set("bounds", bounds_json(found));
     json.set("box", box_json(found));
     return json;

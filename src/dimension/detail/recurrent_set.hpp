@@ -129,13 +129,24 @@ struct CellGrowth {
     Rate boundary = Rate(1);
     bool has_interior = false;  // some cell is covered
     std::size_t kinds = 0;      // of cells, by the parts that meet them
+    /// If it was asked for, the area of the set in cells of its lattice lies between these, which are the same where it is known.
+    Rational area_low = {}, area_high = {};
 };
+
+/// What is asked of the cells beside whether some are covered.
+enum class CellQuestion { boundary, area };
 
 /// Of the whole set that the axiom leads to, all components and overlaps of it: log boundary /
 /// log |mu| is the dimension of its topological boundary. Throws Error where positions do not lie in
 /// a lattice of the plane, BoundReached beyond `most` kinds.
 CellGrowth cell_growth(const RecurrentSet& set, const Budget& budget = {},
                        std::size_t most = 50'000);
+/// The same of the whole of a set of a lattice of rank 2.
+CellGrowth cell_growth(const LatticeSet& set, CellQuestion question, const Budget& budget = {},
+                       std::size_t most = 50'000);
+
+/// For each state a disc that holds it, with a margin.
+std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set);
 
 /// Certified bounds. `with_types`: components whose parts meet in few ways are looked at exactly.
 DimensionBounds dimension_bounds(const RecurrentSet& set, const BoundsSearch& search,

@@ -385,7 +385,7 @@ TEST_CASE("columns of morphisms of constant length") {
         high += height > 1;
         // Blocks of that many letters at the places that q^k divides, for each rest.
         std::size_t least = ~std::size_t{0}, power = 1;
-        for (int k = 0; power * q * height * 40 < word.size(); ++k, power *= q)
+        for (; power * q * height * 40 < word.size(); power *= q)
             for (std::size_t rest = 0; rest < power; ++rest) {
                 std::set<std::string> blocks;
                 for (std::size_t n = rest; (n + 1) * height <= word.size(); n += power)

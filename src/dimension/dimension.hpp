@@ -605,9 +605,9 @@ struct LatticeSet {
     };
 
     std::size_t rank = 2;
-    std::array<Vector, 3> scale{};  // M times the unit vectors
-    std::array<Point, 3> places{};  // of the unit vectors
-    std::array<double, 4> linear{};  // M itself: (x, y) to (l0 x + l1 y, l2 x + l3 y)
+    std::array<Vector, 3> scale{};         // M times the unit vectors
+    std::array<Point, 3> places{};         // of the unit vectors
+    std::array<double, 4> linear{};        // M itself: (x, y) to (l0 x + l1 y, l2 x + l3 y)
     std::vector<std::vector<Part>> parts;  // by state
     std::vector<std::size_t> shapes;       // by state: those with the same number are congruent
     std::vector<Part> whole;

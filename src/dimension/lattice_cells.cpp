@@ -724,7 +724,7 @@ std::int64_t LatticeSet::determinant() const {
 
 /// From discs around the beginnings that are large enough, towards smaller ones around the middles of their parts.
 std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set) {
-    const auto& [a, b, c, d] = set.linear;
+    const double a = set.linear[0], b = set.linear[1], c = set.linear[2], d = set.linear[3];
     const double whole = a * d - b * c;
     // The norm of a matrix of the plane is half the sum of two lengths.
     const double norm = (std::hypot(a + d, c - b) + std::hypot(a - d, b + c)) / 2;

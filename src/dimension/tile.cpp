@@ -990,7 +990,7 @@ private:
             out_.disk_like = {Answer::no,
                               "its neighbours are not six or eight as those of discs are" + name};
         } else {
-            const auto [a, b] = *found;
+            const Step a = found->first, b = found->second;
             const auto& parts = set_.parts.front();
             const bool is = is_connected(parts.size(), [&](std::size_t i, std::size_t k) {
                 const Vector by = parts[k].by - parts[i].by;

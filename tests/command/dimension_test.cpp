@@ -365,8 +365,8 @@ TEST_CASE("dimension says what the limit is as a tile, and draws it among its ne
         ++paths;
     CHECK(paths >= 7);  // the tile and six neighbours
     const std::string maps = folder.file("square.ifs",
-                                          "map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1/2 0\n"
-                                          "map 1/2 0 0 1/2 0 1/2\nmap 1/2 0 0 1/2 1/2 1/2\n");
+                                         "map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1/2 0\n"
+                                         "map 1/2 0 0 1/2 0 1/2\nmap 1/2 0 0 1/2 1/2 1/2\n");
     const json square = json::parse(run("dimension '" + maps + "' --json").out)["tile"];
     CHECK(square["area"]["exact"] == "1");
     CHECK(square["most_neighbours"] == 8);

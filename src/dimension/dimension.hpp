@@ -601,7 +601,10 @@ struct LatticeSet {
     struct Part {
         std::size_t state = 0;
         Vector by{};
-        auto operator<=>(const Part&) const = default;
+        bool operator==(const Part&) const = default;
+        friend bool operator<(const Part& left, const Part& right) {
+            return left.state != right.state ? left.state < right.state : left.by < right.by;
+        }
     };
 
     std::size_t rank = 2;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 #include "dimension/detail/recurrent_set.hpp"
 #include "watch/watch.hpp"

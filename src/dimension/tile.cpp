@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "dimension/detail/recurrent_set.hpp"
 #include "watch/watch.hpp"
@@ -859,7 +860,9 @@ private:
     struct Surrounded {
         std::size_t state;
         Group others;
-        auto operator<=>(const Surrounded&) const = default;
+        friend bool operator<(const Surrounded& left, const Surrounded& right) {
+            return std::tie(left.state, left.others) < std::tie(right.state, right.others);
+        }
     };
 
     void find_surroundings() {
@@ -1029,7 +1032,10 @@ private:
     struct Cut {
         std::size_t state;
         Group left, right;
-        auto operator<=>(const Cut&) const = default;
+        friend bool operator<(const Cut& one, const Cut& other) {
+            return std::tie(one.state, one.left, one.right) <
+                   std::tie(other.state, other.left, other.right);
+        }
     };
     struct CutNode {
         const Cut* cut;

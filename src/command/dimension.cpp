@@ -473,8 +473,10 @@ void find_tile(DimensionReport& found, const MakeSet& make_set, const Budget& bu
 }
 
 void find_tile(DimensionReport& found, const ExactDimension& exact, const Budget& budget) {
-    if (!exact.limit || !exact.value || exact.value->rational() != Rational(2) || found.late) return;
-    find_tile(found, [&] { return lattice_set(*exact.limit, budget); }, budget);
+    if (!exact.limit || !exact.value || exact.value->rational() != Rational(2) || found.late)
+        return;
+    find_tile(
+        found, [&] { return lattice_set(*exact.limit, budget); }, budget);
 }
 
 /// Measured on the limit, or the generation that is asked for; without counts where the time is
@@ -603,7 +605,8 @@ DimensionReport measured_generator(const Options& options, const Budget& budget)
     found.fit = fit_dimension(found.counts);
     const auto* const maps = dynamic_cast<const IteratedFunctions*>(generator.get());
     if (!maps || !found.exact || !may_have_area(*found.exact)) return found;
-    find_tile(found, [&] { return lattice_set(*maps, budget); }, budget);
+    find_tile(
+        found, [&] { return lattice_set(*maps, budget); }, budget);
     // Of maps that are no similarities, most make no tile, and there is nothing to say.
     if (!found.exact->value) found.no_tile.clear();
     return found;
@@ -615,7 +618,8 @@ void plot_tile(const DimensionReport& found, const Options& options, const Budge
         throw Error(options.file + ": --tile draws a tile, and this is not seen to be one" +
                     (found.tile && !found.tile->is_tile.because.empty()
                          ? ": " + found.tile->is_tile.because
-                         : found.no_tile.empty() ? "" : ": " + found.no_tile));
+                     : found.no_tile.empty() ? ""
+                                             : ": " + found.no_tile));
     const auto figure = tile_figure(*found.tile, budget);
     PictureOptions picture;
     picture.title = found.what;
@@ -806,9 +810,10 @@ void add_dimension(Verbs& verbs) {
                 "boxes (default), divider (lengths by dividers), mass (what lies within discs), "
                 "correlation (pairs of points), information and multifractal (shares of boxes), "
                 "lacunarity (gaps)");
-    verb.output("--plot", options.plot, "FILE",
-                "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps, "
-                ".eps or .html; with --rauzy the fractal, each part in a colour; with --tile a tile");
+    verb.output(
+        "--plot", options.plot, "FILE",
+        "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps, "
+        ".eps or .html; with --rauzy the fractal, each part in a colour; with --tile a tile");
     verb.option("--grids", options.grids, grid_count, "N",
                 "over how many places of the grid counts are averaged (default 16)");
     verb.option("--within", options.within, width, "W",
@@ -823,7 +828,8 @@ void add_dimension(Verbs& verbs) {
                 "periodic|self-replicating",
                 "with --rauzy and --plot: the fractal among its neighbours of a tiling");
     verb.flag("--tile", options.tile,
-              "with --plot: a tile, as the limit of a system that fills an area or the attractor of maps may "
+              "with --plot: a tile, as the limit of a system that fills an area or the attractor "
+              "of maps may "
               "be, among its neighbours");
     verb.flag("--points", options.points,
               "FILE holds points, whatever its name and first line are");

@@ -601,13 +601,16 @@ struct LatticeSet {
     struct Part {
         std::size_t state = 0;
         Vector by{};
-        auto operator<=>(const Part&) const = default;
+        bool operator==(const Part&) const = default;
+        friend bool operator<(const Part& left, const Part& right) {
+            return left.state != right.state ? left.state < right.state : left.by < right.by;
+        }
     };
 
     std::size_t rank = 2;
-    std::array<Vector, 3> scale{};  // M times the unit vectors
-    std::array<Point, 3> places{};  // of the unit vectors
-    std::array<double, 4> linear{};  // M itself: (x, y) to (l0 x + l1 y, l2 x + l3 y)
+    std::array<Vector, 3> scale{};         // M times the unit vectors
+    std::array<Point, 3> places{};         // of the unit vectors
+    std::array<double, 4> linear{};        // M itself: (x, y) to (l0 x + l1 y, l2 x + l3 y)
     std::vector<std::vector<Part>> parts;  // by state
     std::vector<std::size_t> shapes;       // by state: those with the same number are congruent
     std::vector<Part> whole;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 #include "dimension/detail/recurrent_set.hpp"
 #include "watch/watch.hpp"
@@ -518,72 +519,63 @@ private:
 
     /// The sum of the covered shares of the cells that the whole meets. The share of a state is the mean of those of
     /// its cells, 1 where it is full and 0 without pieces: the only solution, as every other state leads to an empty
-    /// cell. States whose cells have the same classes have the same share. Of too many classes there are bounds.
+    /// cell. It lies between how many cells of a deep level are full and how many are touched; the simplest numbers between
+    /// these are tried, which solve the equations or do not.
     std::pair<Rational, Rational> area() const {
+        constexpr int levels = 400;
         if (begin_.empty()) return {};
         const std::vector<std::size_t> classes = classes_of_shares();
         const std::size_t count = *std::max_element(classes.begin(), classes.end()) + 1;
-        constexpr std::size_t most_classes = 600;
-        if (count > most_classes) return {counted(false), counted(true)};
-        // Gaussian elimination; rows are sparse and pivots stand in the diagonal, which outweighs the rest.
-        std::vector<std::map<std::size_t, Rational>> rows(count);
-        std::vector<Rational> right(count, Rational(0));
-        std::vector<bool> done(count, false);
-        const Rational share(1, static_cast<std::int64_t>(digits_.size()));
-        for (std::size_t k = 0; k < states_.size(); ++k) {
-            const std::size_t own = classes[k];
-            if (done[own]) continue;
-            done[own] = true;
-            rows[own][own] = Rational(1);
-            if (full_[k]) {
-                right[own] = Rational(1);
-                continue;
-            }
-            for (const std::size_t next : states_[k])
-                if (next != nowhere) rows[own][classes[next]] -= share;
-        }
-        for (std::size_t pivot = 0; pivot < count; ++pivot) {
+        std::vector<std::size_t> some(count);  // states, one of each class
+        for (std::size_t k = 0; k < states_.size(); ++k) some[classes[k]] = k;
+        std::vector<Integer> low(count, Integer(0)), high(count, Integer(1));
+        for (std::size_t c = 0; c < count; ++c)
+            if (full_[some[c]]) low[c] = 1;
+        const Integer parts(static_cast<std::int64_t>(digits_.size()));
+        Integer cells = 1;
+        for (int level = 0; level < levels; ++level) {
             budget_.check();
-            const Rational scale = rows[pivot].at(pivot);
-            for (auto& [column, value] : rows[pivot]) value /= scale;
-            right[pivot] /= scale;
-            for (std::size_t row = 0; row < count; ++row) {
-                const auto at = rows[row].find(pivot);
-                if (row == pivot || at == rows[row].end()) continue;
-                const Rational times = at->second;
-                for (const auto& [column, value] : rows[pivot]) {
-                    Rational& entry = rows[row][column];
-                    entry -= times * value;
-                    if (entry.is_zero()) rows[row].erase(column);
-                }
-                right[row] -= times * right[pivot];
+            for (auto* const counts : {&low, &high}) {
+                std::vector<Integer> next(count, Integer(0));
+                for (std::size_t c = 0; c < count; ++c)
+                    for (const std::size_t part : states_[some[c]])
+                        if (part != nowhere) next[c] += (*counts)[classes[part]];
+                *counts = std::move(next);
             }
+            cells *= parts;
+        }
+        Integer least = 0, most = 0;
+        for (const std::size_t state : begin_) {
+            least += low[classes[state]];
+            most += high[classes[state]];
+        }
+        std::vector<Rational> shares;
+        for (std::size_t c = 0; c < count; ++c) {
+            if (c % 64 == 0) budget_.check();
+            shares.push_back(full_[some[c]] ? Rational(1)
+                                            : simplest_between(Rational(low[c], cells),
+                                                               Rational(high[c], cells)));
+        }
+        const Rational times(parts);
+        for (std::size_t c = 0; c < count; ++c) {
+            if (full_[some[c]]) continue;
+            Rational sum = 0;
+            for (const std::size_t part : states_[some[c]])
+                if (part != nowhere) sum += shares[classes[part]];
+            if (sum != times * shares[c]) return {Rational(least, cells), Rational(most, cells)};
         }
         Rational sum = 0;
-        for (const std::size_t state : begin_) sum += right[classes[state]];
+        for (const std::size_t state : begin_) sum += shares[classes[state]];
         return {sum, sum};
     }
 
-    /// The area of the cells of a deep level that are full, or that are touched.
-    Rational counted(bool touched) const {
-        constexpr std::uint64_t level = 400;
-        std::vector<Integer> counts(states_.size(), Integer(0));
-        for (std::size_t k = 0; k < states_.size(); ++k)
-            if (touched || full_[k]) counts[k] = 1;
-        Integer cells = 1;
-        const Integer parts(static_cast<std::int64_t>(digits_.size()));
-        for (std::uint64_t n = 0; n < level; ++n) {
-            budget_.check();
-            std::vector<Integer> next(states_.size(), Integer(0));
-            for (std::size_t k = 0; k < states_.size(); ++k)
-                for (const std::size_t part : states_[k])
-                    if (part != nowhere) next[k] += counts[part];
-            counts = std::move(next);
-            cells *= parts;
-        }
-        Integer sum = 0;
-        for (const std::size_t state : begin_) sum += counts[state];
-        return Rational(std::move(sum), std::move(cells));
+    /// The number with the smallest denominator from one that is not negative to another.
+    static Rational simplest_between(const Rational& low, const Rational& high) {
+        const Rational whole(floor(low));
+        if (whole == low) return whole;
+        if (!(high < whole + Rational(1))) return whole + Rational(1);
+        return whole + Rational(1) / simplest_between(Rational(1) / (high - whole),
+                                                      Rational(1) / (low - whole));
     }
 
     /// Full states are one class, and states are as long of one class as their cells are.
@@ -698,12 +690,13 @@ void set_cell(LatticeSet& out, const RecurrentSet& set, const Lattice& lattice) 
         if (!(Rational(0) < square)) continue;
         std::array<Rational, 2> image;
         for (std::size_t k = 0; k < 2; ++k)
-            image[k] = Rational(2) * ((*unit)[0] * x[0][k] + (*unit)[1] * x[1][k]) -
-                       trace * (*unit)[k];
+            image[k] =
+                Rational(2) * ((*unit)[0] * x[0][k] + (*unit)[1] * x[1][k]) - trace * (*unit)[k];
         const Rational area = (*unit)[0] * image[1] - (*unit)[1] * image[0];
         out.cell_square = square / (area * area);
-        out.unit = is_closed ? "the square of the distance from the beginning of its first part to its end"
-                             : "the square of the distance from its beginning to its end";
+        out.unit =
+            is_closed ? "the square of the distance from the beginning of its first part to its end"
+                      : "the square of the distance from its beginning to its end";
         return;
     }
 }
@@ -732,7 +725,7 @@ std::int64_t LatticeSet::determinant() const {
 
 /// From discs around the beginnings that are large enough, towards smaller ones around the middles of their parts.
 std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set) {
-    const auto& [a, b, c, d] = set.linear;
+    const double a = set.linear[0], b = set.linear[1], c = set.linear[2], d = set.linear[3];
     const double whole = a * d - b * c;
     // The norm of a matrix of the plane is half the sum of two lengths.
     const double norm = (std::hypot(a + d, c - b) + std::hypot(a - d, b + c)) / 2;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "dimension/detail/recurrent_set.hpp"
 #include "watch/watch.hpp"
@@ -199,7 +200,8 @@ public:
     Group parts(const Placed& tile) const {
         Group found;
         const Vector at = set_.scaled(tile.by);
-        for (const Placed& part : set_.parts[tile.state]) found.push_back({part.state, at + part.by});
+        for (const Placed& part : set_.parts[tile.state])
+            found.push_back({part.state, at + part.by});
         std::sort(found.begin(), found.end());
         return found;
     }
@@ -586,7 +588,10 @@ public:
         meetings_ = &meetings;
         attempt(out_.connected, [&] { find_connected(); });
         attempt(out_.disk_like, [&] { find_neighbours(); });
-        if (out_.most_neighbours > 0) attempt(out_.disk_like, [&] { find_disk_like(); });
+        if (out_.connected.answer == Answer::no)
+            out_.disk_like = {Answer::no, "it is not connected"};
+        else if (out_.most_neighbours > 0)
+            attempt(out_.disk_like, [&] { find_disk_like(); });
         if (out_.disk_like.answer != Answer::yes && out_.connected.answer == Answer::yes)
             attempt(out_.infinitely_many, [&] { find_cut_points(); });
         find_interior();
@@ -689,14 +694,17 @@ private:
             for (const Placed& part : parts) {
                 const auto& [x, y, none] = part.by;
                 // The vector times the adjoint of M, modulo the determinant, says which residue it is.
-                const auto modulo = [&](std::int64_t value) { return ((value % whole) + whole) % whole; };
+                const auto modulo = [&](std::int64_t value) {
+                    return ((value % whole) + whole) % whole;
+                };
                 seen.insert({part.state,
                              {modulo(x * set_.scale[1][1] - y * set_.scale[1][0]),
                               modulo(y * set_.scale[0][0] - x * set_.scale[0][1])}});
                 ++count;
             }
         const auto states = static_cast<std::int64_t>(set_.parts.size());
-        if (seen.size() != count || count != set_.parts.size() * static_cast<std::size_t>(whole)) return;
+        if (seen.size() != count || count != set_.parts.size() * static_cast<std::size_t>(whole))
+            return;
         const auto& [low, high] = *out_.cells_between;
         const Integer times = floor(high * Rational(states));
         if (Rational(times) < low * Rational(states) ||
@@ -761,7 +769,8 @@ private:
     }
 
     bool hang_together(const std::vector<Placed>& tiles) {
-        return is_connected(tiles.size(), [&](std::size_t i, std::size_t k) { return meet(tiles[i], tiles[k]); });
+        return is_connected(tiles.size(),
+                            [&](std::size_t i, std::size_t k) { return meet(tiles[i], tiles[k]); });
     }
 
     bool meet(const Placed& left, const Placed& right) {
@@ -851,11 +860,13 @@ private:
     struct Surrounded {
         std::size_t state;
         Group others;
-        auto operator<=>(const Surrounded&) const = default;
+        friend bool operator<(const Surrounded& left, const Surrounded& right) {
+            return std::tie(left.state, left.others) < std::tie(right.state, right.others);
+        }
     };
 
     void find_surroundings() {
-        constexpr std::size_t most_surroundings = 2'000;
+        const std::size_t most_surroundings = std::min<std::size_t>(most_, 2'000);
         std::map<Surrounded, std::size_t> numbers;
         std::vector<const Surrounded*> list;
         const auto number = [&](Surrounded type) {
@@ -902,7 +913,8 @@ private:
         const Surrounded* chosen = nullptr;
         std::size_t least = ~std::size_t{0}, most = 0;
         for (std::size_t k = 0; k < list.size(); ++k) {
-            if (!closed[component[k]] || set_.shapes[list[k]->state] != set_.shapes[first]) continue;
+            if (!closed[component[k]] || set_.shapes[list[k]->state] != set_.shapes[first])
+                continue;
             least = std::min(least, list[k]->others.size());
             most = std::max(most, list[k]->others.size());
             if (list[k]->state == first && (!chosen || *list[k] < *chosen)) chosen = list[k];
@@ -921,10 +933,6 @@ private:
     // Like a disc.
 
     void find_disk_like() {
-        if (out_.connected.answer == Answer::no) {
-            out_.disk_like = {Answer::no, "it is not connected"};
-            return;
-        }
         if (out_.is_periodic && set_.parts.size() == 1 && out_.connected.answer == Answer::yes) {
             by_bandt_and_wang();
             return;
@@ -936,12 +944,14 @@ private:
             return;
         }
         if (Ring(*meetings_).is_simple(boundary_)) {
-            out_.disk_like = {Answer::yes,
-                              "its boundary is a ring of arcs, a simple closed curve (Jordan, Schoenflies)"};
+            out_.disk_like = {
+                Answer::yes,
+                "its boundary is a ring of arcs, a simple closed curve (Jordan, Schoenflies)"};
             return;
         }
         if (is_alike() && !out_.is_periodic && find_three_points()) return;
-        out_.disk_like.because = "its boundary is not seen to be a simple closed curve, nor not to be one";
+        out_.disk_like.because =
+            "its boundary is not seen to be a simple closed curve, nor not to be one";
     }
 
     /// Whether all tiles are congruent.
@@ -980,19 +990,22 @@ private:
         if (count <= 6) {
             out_.disk_like = {Answer::yes, "it is connected and has at most six neighbours" + name};
         } else if (!found) {
-            out_.disk_like = {Answer::no, "its neighbours are not six or eight as those of discs are" + name};
+            out_.disk_like = {Answer::no,
+                              "its neighbours are not six or eight as those of discs are" + name};
         } else {
-            const auto [a, b] = *found;
+            const Step a = found->first, b = found->second;
             const auto& parts = set_.parts.front();
             const bool is = is_connected(parts.size(), [&](std::size_t i, std::size_t k) {
                 const Vector by = parts[k].by - parts[i].by;
                 const Step step(by[0], by[1]), back(-by[0], -by[1]);
                 return step == a || step == b || back == a || back == b;
             });
-            out_.disk_like = {is ? Answer::yes : Answer::no,
-                              (is ? "it has eight neighbours, and its parts hang together by its four sides"
-                                  : "it has eight neighbours, and its parts do not hang together by its four sides") +
-                                  name};
+            out_.disk_like = {
+                is ? Answer::yes : Answer::no,
+                (is ? "it has eight neighbours, and its parts hang together by its four sides"
+                    : "it has eight neighbours, and its parts do not hang together by its four "
+                      "sides") +
+                    name};
         }
     }
 
@@ -1004,9 +1017,10 @@ private:
                 std::sort(three.begin(), three.end());
                 const auto met = meetings_->find(three);
                 if (!met || !meetings_->has_three_points(*met)) continue;
-                out_.disk_like = {Answer::no,
-                                  "three tiles have three points in common, and three discs side by side "
-                                  "cannot: K_3,3 is not planar (Kuratowski)"};
+                out_.disk_like = {
+                    Answer::no,
+                    "three tiles have three points in common, and three discs side by side "
+                    "cannot: K_3,3 is not planar (Kuratowski)"};
                 return true;
             }
         return false;
@@ -1018,11 +1032,15 @@ private:
     struct Cut {
         std::size_t state;
         Group left, right;
-        auto operator<=>(const Cut&) const = default;
+        friend bool operator<(const Cut& one, const Cut& other) {
+            return std::tie(one.state, one.left, one.right) <
+                   std::tie(other.state, other.left, other.right);
+        }
     };
     struct CutNode {
         const Cut* cut;
-        std::vector<std::pair<std::size_t, Vector>> next;  // another one within it, and where it lies
+        std::vector<std::pair<std::size_t, Vector>>
+            next;  // another one within it, and where it lies
         bool alive = true;
     };
 
@@ -1103,7 +1121,7 @@ private:
     }
 
     std::size_t number(Cut cut) {
-        constexpr std::size_t most_cuts = 5'000;
+        const std::size_t most_cuts = std::min<std::size_t>(most_, 2'000);
         for (Group* const side : {&cut.left, &cut.right}) std::sort(side->begin(), side->end());
         if (cut.right < cut.left) std::swap(cut.left, cut.right);
         const auto [place, is_new] = cut_numbers_.try_emplace(std::move(cut), cuts_.size());
@@ -1133,8 +1151,8 @@ private:
             for (const std::size_t k : part)
                 if (k != nowhere) count = std::max(count, k + 1);
             for (std::size_t k = 0; count > 1 && k + (count == 2 ? 1 : 0) < count; ++k)
-                number(cut_at(level, all, piece,
-                              [&](std::size_t tile) { return part[tile] == k; }));
+                number(
+                    cut_at(level, all, piece, [&](std::size_t tile) { return part[tile] == k; }));
         }
     }
 
@@ -1178,9 +1196,10 @@ private:
                 std::size_t bit = 0;
                 for (const std::size_t each : free)
                     if ((choice >> bit++ & 1) != 0) to_left.insert(each);
-                next.emplace_back(number(cut_at(tiles, all, part,
-                                                [&](std::size_t k) { return to_left.contains(kind[k]); })),
-                                  tiles[part].by);
+                next.emplace_back(
+                    number(cut_at(tiles, all, part,
+                                  [&](std::size_t k) { return to_left.contains(kind[k]); })),
+                    tiles[part].by);
             }
         }
         cuts_[number_of_cut].next = std::move(next);
@@ -1198,7 +1217,8 @@ private:
         for (bool changed = true; changed;) {
             changed = false;
             for (CutNode& node : cuts_) {
-                std::erase_if(node.next, [&](const auto& next) { return !cuts_[next.first].alive; });
+                std::erase_if(node.next,
+                              [&](const auto& next) { return !cuts_[next.first].alive; });
                 if (node.alive && node.next.empty()) {
                     node.alive = false;
                     changed = true;
@@ -1215,9 +1235,8 @@ private:
         for (std::size_t k = 0; k < cuts_.size(); ++k)
             for (const auto& next : cuts_[k].next) boost::add_edge(k, next.first, graph);
         std::vector<std::size_t> component(cuts_.size());
-        boost::strong_components(
-            graph,
-            boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, graph)));
+        boost::strong_components(graph, boost::make_iterator_property_map(
+                                            component.begin(), get(boost::vertex_index, graph)));
         for (std::size_t k = 0; k < cuts_.size(); ++k) {
             budget_.check();
             std::vector<Vector> cycle;
@@ -1294,9 +1313,10 @@ private:
             out_.interior_connected = {Answer::yes, "as of a disc"};
             out_.infinitely_many = {Answer::no, "as of a disc"};
         } else if (out_.disk_like.answer == Answer::no && out_.connected.answer == Answer::yes &&
-                 is_alike() && set_.whole.size() == 1) {
+                   is_alike() && set_.whole.size() == 1) {
             out_.interior_connected = {
-                Answer::no, "a connected tile with a connected interior is like a disc (Luo, Rao and Tan)"};
+                Answer::no,
+                "a connected tile with a connected interior is like a disc (Luo, Rao and Tan)"};
         } else {
             out_.interior_connected.because = "no theorem decides it here";
         }
@@ -1332,7 +1352,8 @@ public:
         : set_(set), budget_(budget), discs_(discs_of(set)) {
         const auto& [a, b, c, d] = set.linear;
         determinant_ = a * d - b * c;
-        shrinking_ = (std::hypot(a + d, c - b) + std::hypot(a - d, b + c)) / 2 / std::abs(determinant_);
+        shrinking_ =
+            (std::hypot(a + d, c - b) + std::hypot(a - d, b + c)) / 2 / std::abs(determinant_);
         double left = INFINITY, right = -INFINITY;
         for (const Placed& part : set.whole) {
             const double middle = set.place(part.by).x + discs_[part.state].centre.real();
@@ -1364,7 +1385,8 @@ public:
         }
         std::vector<Point> polygon;
         const auto put = [&](const Pixel& at) {
-            polygon.push_back({static_cast<double>(at.first) * side_, static_cast<double>(at.second) * side_});
+            polygon.push_back(
+                {static_cast<double>(at.first) * side_, static_cast<double>(at.second) * side_});
         };
         for (auto& [from, to] : edges)
             while (!to.empty()) {
@@ -1386,16 +1408,17 @@ private:
     static constexpr double fine = 0.4;  // the radius of a part, in pixels
 
     /// With the power of the inverse map, by which a part is smaller.
-    void go_on(std::size_t state, std::complex<double> at, const std::array<double, 4>& power, double size,
-               std::size_t owner) {
+    void go_on(std::size_t state, std::complex<double> at, const std::array<double, 4>& power,
+               double size, std::size_t owner) {
         const auto applied = [](const std::array<double, 4>& by, double x, double y) {
             return std::complex<double>{by[0] * x + by[1] * y, by[2] * x + by[3] * y};
         };
         const auto& disc = discs_[state];
         if (disc.radius * size <= fine * side_) {
             const auto middle = at + applied(power, disc.centre.real(), disc.centre.imag());
-            auto& [most, held] = owners_[{static_cast<std::int64_t>(std::floor(middle.real() / side_)),
-                                          static_cast<std::int64_t>(std::floor(middle.imag() / side_))}];
+            auto& [most, held] =
+                owners_[{static_cast<std::int64_t>(std::floor(middle.real() / side_)),
+                         static_cast<std::int64_t>(std::floor(middle.imag() / side_))}];
             // Tiles come one after the other: the one that holds the most of a pixel.
             if (held.empty() || held.back().first != owner) held.emplace_back(owner, 0);
             if (++held.back().second > most.second) most = held.back();
@@ -1403,10 +1426,12 @@ private:
         }
         if (++steps_ % 4096 == 0) budget_.check();
         const auto& [a, b, c, d] = set_.linear;
-        const std::array<double, 4> inverse{d / determinant_, -b / determinant_, -c / determinant_, a / determinant_};
-        const std::array<double, 4> next{
-            power[0] * inverse[0] + power[1] * inverse[2], power[0] * inverse[1] + power[1] * inverse[3],
-            power[2] * inverse[0] + power[3] * inverse[2], power[2] * inverse[1] + power[3] * inverse[3]};
+        const std::array<double, 4> inverse{d / determinant_, -b / determinant_, -c / determinant_,
+                                            a / determinant_};
+        const std::array<double, 4> next{power[0] * inverse[0] + power[1] * inverse[2],
+                                         power[0] * inverse[1] + power[1] * inverse[3],
+                                         power[2] * inverse[0] + power[3] * inverse[2],
+                                         power[2] * inverse[1] + power[3] * inverse[3]};
         for (const Placed& part : set_.parts[state]) {
             const Point by = set_.place(part.by);
             go_on(part.state, at + applied(next, by.x, by.y), next, size * shrinking_, owner);

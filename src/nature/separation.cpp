@@ -320,7 +320,9 @@ public:
     Row sum(const Row& a, const Row& b) const {
         return {field_.sum(a[0], b[0]), field_.sum(a[1], b[1])};
     }
-    Row difference(const Row& a, const Row& b) const { return {less(a[0], b[0]), less(a[1], b[1])}; }
+    Row difference(const Row& a, const Row& b) const {
+        return {less(a[0], b[0]), less(a[1], b[1])};
+    }
     Matrix identity() const {
         return {field_.rational(1), field_.rational(0), field_.rational(0), field_.rational(1)};
     }
@@ -335,8 +337,8 @@ public:
     /// Throws Error where a number is not one of the field, or areas vanish.
     ExactMap exactly(const IteratedFunctions::Map& map) const {
         const auto value = [&](const Quantity& number) {
-            const auto found = number.exact ? field_.rational(*number.exact)
-                                            : field_.value_of(number.expression);
+            const auto found =
+                number.exact ? field_.rational(*number.exact) : field_.value_of(number.expression);
             if (!found) throw Error(map.name + " has a number that is not known exactly");
             return *found;
         };
@@ -349,9 +351,8 @@ public:
             if (!turn) throw Error(map.name + " turns by an angle that is not known exactly");
             const Number back = field_.conjugate(*turn), half = field_.rational(Rational(1, 2));
             const Number c = field_.product(half, field_.product(ratio, field_.sum(*turn, back)));
-            const Number s = field_.product(
-                field_.product(half, field_.zeta(-field_.order() / 4)),
-                field_.product(ratio, less(*turn, back)));
+            const Number s = field_.product(field_.product(half, field_.zeta(-field_.order() / 4)),
+                                            field_.product(ratio, less(*turn, back)));
             found.matrix = {c, less(field_.rational(0), s), s, c};
         } else {
             for (std::size_t k = 0; k < 4; ++k) found.matrix[k] = value(map.numbers[k]);
@@ -386,8 +387,7 @@ public:
                 all.push_back(image);
             }
             if (is_closed) break;
-            if (basis_of(all) == basis_)
-                throw Error("all parts lie on a line");
+            if (basis_of(all) == basis_) throw Error("all parts lie on a line");
         }
         reduce();
     }
@@ -463,8 +463,8 @@ private:
                 std::round((first.x * second.x + first.y * second.y) / (one * one));
             if (times == 0 || !(std::fabs(times) < 1e9)) return;
             const Number factor = field.rational(Rational(static_cast<std::int64_t>(times)));
-            const Row shorter = plane_.difference(
-                basis_[1], {field.product(factor, basis_[0][0]), field.product(factor, basis_[0][1])});
+            const Row shorter = plane_.difference(basis_[1], {field.product(factor, basis_[0][0]),
+                                                              field.product(factor, basis_[0][1])});
             const Point found = plane_.place(shorter);
             if (std::hypot(found.x, found.y) >= two * (1 - 1e-9)) return;
             basis_[1] = shorter;
@@ -490,9 +490,8 @@ LatticeSet lattice_set(const IteratedFunctions& system, const Budget& budget) {
                         std::all_of(system.maps.begin(), system.maps.end(), [](const auto& map) {
                             return map.from != 0 || !(norm(map.map) < 1);
                         });
-    const auto first = std::find_if(system.maps.begin(), system.maps.end(), [&](const auto& map) {
-        return !places || map.from != 0;
-    });
+    const auto first = std::find_if(system.maps.begin(), system.maps.end(),
+                                    [&](const auto& map) { return !places || map.from != 0; });
     if (first == system.maps.end()) throw Error("no map comes back");
     const std::size_t first_number = static_cast<std::size_t>(first - system.maps.begin());
     const Matrix factor = plane.inverse(maps[first_number].matrix);  // M
@@ -527,9 +526,10 @@ LatticeSet lattice_set(const IteratedFunctions& system, const Budget& budget) {
     if (system.states.size() == 1) {
         const Matrix& own = maps.front().matrix;
         const Matrix one = plane.identity();
-        middle = plane.product(plane.inverse({plane.less(one[0], own[0]), plane.less(one[1], own[1]),
-                                              plane.less(one[2], own[2]), plane.less(one[3], own[3])}),
-                               maps.front().shift);
+        middle =
+            plane.product(plane.inverse({plane.less(one[0], own[0]), plane.less(one[1], own[1]),
+                                         plane.less(one[2], own[2]), plane.less(one[3], own[3])}),
+                          maps.front().shift);
     }
     std::vector<std::vector<std::pair<std::size_t, Row>>> parts;
     std::vector<Row> vectors;

@@ -269,8 +269,7 @@ std::string finding_text(const Tile::Finding& finding) {
 
 std::string area_text(const Tile& tile) {
     if (tile.area_square)
-        return square_root_text(*tile.area_square) +
-               (tile.unit.empty() ? "" : " of " + tile.unit);
+        return square_root_text(*tile.area_square) + (tile.unit.empty() ? "" : " of " + tile.unit);
     const auto cells = [&](const Rational& count) {
         return to_string(count) + (count == 1 ? " cell" : " cells");
     };
@@ -288,7 +287,8 @@ std::string neighbours_text(const Tile& tile) {
     std::string text = std::to_string(tile.least_neighbours);
     if (tile.most_neighbours != tile.least_neighbours)
         text += " to " + std::to_string(tile.most_neighbours);
-    return text + (tile.is_periodic ? " in the tiling by its lattice" : " in the tiling that it makes");
+    return text +
+           (tile.is_periodic ? " in the tiling by its lattice" : " in the tiling that it makes");
 }
 
 /// The lines on a tile; its area stands in the first one unless another one says what it is.
@@ -307,7 +307,8 @@ std::string tile_lines(const Tile& tile) {
 }
 
 std::string tile_page(const DimensionReport& found) {
-    if (!found.tile) return found.no_tile.empty() ? "" : "tile: not decided: " + found.no_tile + "\n\n";
+    if (!found.tile)
+        return found.no_tile.empty() ? "" : "tile: not decided: " + found.no_tile + "\n\n";
     const Tile& tile = *found.tile;
     if (tile.cells && tile.cells->is_zero()) return "";
     if (tile.is_tile.answer != Tile::Answer::yes)
@@ -415,8 +416,8 @@ Json to_json(const RauzyReport& report) {
 }
 
 std::string to_text(const DimensionReport& found) {
-    return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") +
-           tile_page(found) + bounds_page(found) + box_page(found);
+    return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") + tile_page(found) +
+           bounds_page(found) + box_page(found);
 }
 
 Json to_json(const DimensionReport& found) {
@@ -424,7 +425,7 @@ Json to_json(const DimensionReport& found) {
     if (found.generation) json.set("generation", *found.generation);
     if (found.exact) {
         json.set("exact", exact_json(*found.exact));
-        json.set("tile", found.tile                ? tile_json(*found.tile)
+        json.set("tile", found.tile               ? tile_json(*found.tile)
                          : !found.no_tile.empty() ? Json{{"reason", found.no_tile}}
                                                   : Json());
     }

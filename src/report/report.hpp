@@ -292,8 +292,8 @@ struct DimensionReport {
     bool late = false;                           // the time was over before the measurement
     std::optional<DimensionBounds> bounds = {};  // where they were asked for
     Rational within = {};                        // how near they were to be
-    std::optional<Tile> tile = {};               // of sets of dimension 2 whose parts lie in a lattice
-    std::string no_tile = {};                    // why it is not one of these
+    std::optional<Tile> tile = {};  // of sets of dimension 2 whose parts lie in a lattice
+    std::string no_tile = {};       // why it is not one of these
 
     /// Whether the bounds, if there are any, are as near as that.
     bool is_within() const { return !bounds || !(within < bounds->width()); }

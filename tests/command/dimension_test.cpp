@@ -328,3 +328,61 @@ TEST_CASE("dimension --rauzy says what is decided of the fractal of a substituti
     CHECK(run("dimension tribonacci --rauzy --within 0.1").err ==
           "algae: --rauzy goes without --within\n");
 }
+
+TEST_CASE("dimension says what the limit is as a tile, and draws it among its neighbours") {
+    const Run page = run("dimension gosper --grids 1");
+    CHECK(page.status == 0);
+    CHECK(page.out.find(
+              "tile: its parts overlap in sets of the area 0\n"
+              "  area: sqrt(3)/2 of the square of the distance from its beginning to its end\n"
+              "  neighbours: 6 in the tiling that it makes\n"
+              "  connected: yes: the parts of each part that meet hang together (Hata)\n"
+              "  like a disc: yes: its boundary is a ring of arcs, a simple closed curve (Jordan, "
+              "Schoenflies)\n") != std::string::npos);
+    const json tile = json::parse(run("dimension dragon --grids 1 --json").out)["tile"];
+    CHECK(tile["is_tile"]["answer"] == true);
+    CHECK(tile["area"]["exact"] == "1/2");
+    CHECK(tile["area"]["cells"] == "1/2");
+    CHECK(tile["least_neighbours"] == 11);
+    CHECK(tile["most_neighbours"] == 11);
+    CHECK(tile["neighbours"].size() == 11);
+    CHECK(tile["neighbours"][0]["moved_by"].size() == 2);
+    CHECK(tile["basis"].size() == 2);
+    CHECK(tile["disk_like"]["answer"] == false);
+    CHECK(tile["interior_infinitely_many"]["answer"] == true);
+    CHECK(json::parse(run("dimension koch --grids 1 --json").out)["tile"].is_null());
+    const json rauzy = json::parse(run("dimension tribonacci --rauzy --json").out)["tile"];
+    CHECK(rauzy["most_neighbours"] == 6);
+    CHECK(rauzy["disk_like"]["answer"] == true);
+    const Scratch folder;
+    const std::string file = folder.file("tile.svg");
+    const Run drawn = run("dimension gosper --grids 1 --tile --plot '" + file + "'");
+    CHECK(drawn.status == 0);
+    const std::string picture = text_of(file);
+    std::size_t paths = 0;
+    for (std::size_t at = picture.find("<path"); at != std::string::npos;
+         at = picture.find("<path", at + 1))
+        ++paths;
+    CHECK(paths >= 7);  // the tile and six neighbours
+    const std::string maps = folder.file("square.ifs",
+                                         "map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1/2 0\n"
+                                         "map 1/2 0 0 1/2 0 1/2\nmap 1/2 0 0 1/2 1/2 1/2\n");
+    const json square = json::parse(run("dimension '" + maps + "' --json").out)["tile"];
+    CHECK(square["area"]["exact"] == "1");
+    CHECK(square["most_neighbours"] == 8);
+    CHECK(square["periodic"] == true);
+    CHECK(
+        square["disk_like"]["because"] ==
+        "it has eight neighbours, and its parts hang together by its four sides (Bandt and Wang)");
+}
+
+TEST_CASE("dimension --tile says what it needs") {
+    CHECK(run("dimension dragon --tile").err ==
+          "algae: --tile says what --plot FILE draws, and no --plot is given\n");
+    CHECK(run("dimension dragon --tile --plot t.svg --measure mass").err ==
+          "algae: --tile is for --measure boxes, and not for --table\n");
+    CHECK(run("dimension tribonacci --rauzy --tile --plot t.svg").err ==
+          "algae: --rauzy goes without --tile\n");
+    CHECK(run("dimension koch --grids 1 --tile --plot t.svg").err ==
+          "algae: koch: --tile draws a tile, and this is not seen to be one\n");
+}

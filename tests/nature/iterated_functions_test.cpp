@@ -567,3 +567,78 @@ TEST_CASE("exact spectra of maps with chances: binomial cascades, and what they 
     CHECK(!functions("map 1/2 0 0 1/2 0 0 0.5\nmap 1/2 0 0 1/2 0 0 0.5\n")
                .exact_spectrum(zero, {}));  // parts coincide
 }
+
+TEST_CASE(
+    "maps of one linear map after turns and reflections are a set of a lattice, and tiles are "
+    "known") {
+    using Answer = Tile::Answer;
+    const struct {
+        const char *name, *text, *area;
+        std::size_t neighbours;
+        Answer disk_like;
+    } known[] = {
+        {"square",
+         "map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1/2 0\nmap 1/2 0 0 1/2 0 1/2\nmap 1/2 0 0 1/2 1/2 "
+         "1/2\n",
+         "1", 8, Answer::yes},
+        {"twindragon", "map 1/2 -1/2 1/2 1/2 0 0\nmap 1/2 -1/2 1/2 1/2 1/2 1/2\n", "1", 6,
+         Answer::yes},
+        {"twindragon as similarities", "similarity sqrt(1/2) 45 5 7\nsimilarity sqrt(1/2) 45 6 7\n",
+         "2", 6, Answer::yes},
+        {"dragon of Heighway", "similarity sqrt(1/2) 45 0 0\nsimilarity sqrt(1/2) 135 1 0\n", "1/2",
+         11, Answer::no},
+        {"triangle",
+         "map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1/2 0\nmap 1/2 0 0 1/2 1/4 sqrt(3)/4\nmap -1/2 0 0 "
+         "-1/2 3/4 sqrt(3)/4\n",
+         "sqrt(3)/4", 12, Answer::yes},
+        // Twelve neighbours: Bandt and Wang.
+        {"not a disc",
+         "map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1/2 0\nmap 1/2 0 0 1/2 0 1/2\nmap 1/2 0 0 1/2 -1/2 "
+         "-1/2\n",
+         "1", 12, Answer::no},
+        {"oblong in cells of a carpet",
+         "map 1/2 0 0 1/3 0 0\nmap 1/2 0 0 1/3 1/2 0\n"
+         "map 1/2 0 0 1/3 0 1/3\nmap 1/2 0 0 1/3 1/2 1/3\nmap 1/2 0 0 1/3 0 2/3\n"
+         "map 1/2 0 0 1/3 1/2 2/3\n",
+         "1", 8, Answer::yes},
+        {"halves of a right triangle", "map 1/2 1/2 1/2 -1/2 0 0\nmap -1/2 1/2 -1/2 -1/2 1 1\n",
+         nullptr, 0, Answer::yes},
+        {"two states",
+         "state A\nmap 1/2 0 0 1/2 0 0 -> B\nmap 1/2 0 0 1/2 1/2 0 -> B\nmap 1/2 0 0 1/2 0 1/2 -> "
+         "A\nmap 1/2 0 0 1/2 1/2 1/2 -> A\nstate B\nmap 1/2 0 0 1/2 0 0 -> A\nmap 1/2 0 0 1/2 1/2 "
+         "0 "
+         "-> A\nmap 1/2 0 0 1/2 0 1/2 -> A\nmap 1/2 0 0 1/2 1/2 1/2 -> B\n",
+         "1", 8, Answer::yes},
+    };
+    for (const auto& one : known) {
+        CAPTURE(one.name);
+        const Tile found = tile(lattice_set(functions(one.text)));
+        CHECK(found.is_tile.answer == Answer::yes);
+        CHECK(found.connected.answer == Answer::yes);
+        CHECK(found.disk_like.answer == one.disk_like);
+        if (!one.area) continue;
+        REQUIRE(found.area_square);
+        CHECK(square_root_text(*found.area_square) == one.area);
+        CHECK(found.most_neighbours == one.neighbours);
+    }
+    CHECK(tile(lattice_set(functions(gasket))).cells == Rational(0));
+}
+
+TEST_CASE("maps that lead to no lattice say why") {
+    const auto reason = [](const std::string& text) {
+        try {
+            lattice_set(functions(text));
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(reason("map 0.5 0 0 0.5 0 0\nmap 0.4 0 0 0.4 1 0\nmap 0.5 0 0 0.5 0 1\n") ==
+          "maps differ by more than turns and reflections of a finite group");
+    CHECK(reason("map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1 0\n") == "all parts lie on a line");
+    CHECK(reason("map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1 0\nmap 1/2 0 0 1/2 sqrt(2) 1\n"
+                 "map 1/2 0 0 1/2 0 sqrt(2)\n") == "positions lie in no lattice of the plane");
+    CHECK(reason(fern) == "map 1 (line 1) makes a line or a point of the plane");
+    CHECK(reason("map exp(-1) 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1 0\n") ==
+          "map 1 (line 1) has a number that is not known exactly");
+}

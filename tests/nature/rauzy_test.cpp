@@ -324,3 +324,30 @@ TEST_CASE(
     CHECK(covered == 4 * 144);
     MESSAGE(compared << " points of parts, " << covered << " points of the plane");
 }
+
+TEST_CASE("what fractals look like in their periodic tiling") {
+    using Answer = Tile::Answer;
+    // Tribonacci: a disc with six neighbours (Rauzy 1982; Messaoudi, Frontiere du fractal de Rauzy, 2000). The flipped one is not
+    // (Siegel and Thuswaldner 2009).
+    const Tile known = tile(rauzy_lattice_set(substitution({"ab", "ac", "a"})));
+    CHECK(known.is_tile.answer == Answer::yes);
+    CHECK(known.is_periodic);
+    CHECK(known.cells == Rational(1));
+    CHECK(known.most_neighbours == 6);
+    CHECK(known.connected.answer == Answer::yes);
+    CHECK(known.disk_like.answer == Answer::yes);
+    const Tile flipped = tile(rauzy_lattice_set(substitution({"ab", "ca", "a"})));
+    CHECK(flipped.most_neighbours > 8);
+    CHECK(flipped.disk_like.answer == Answer::no);
+    for (const std::vector<std::string>& images : {std::vector<std::string>{"ab", "ac", "a"},
+                                                   {"ab", "ca", "a"},
+                                                   {"aab", "ac", "a"},
+                                                   {"abc", "a", "b"}}) {
+        const D0L system = substitution(images);
+        const RauzyFractal fractal = rauzy_fractal(system);
+        const Tile found = tile(rauzy_lattice_set(system));
+        if (!fractal.tiles) continue;
+        CHECK(found.connected.answer != (fractal.connected ? Answer::no : Answer::yes));
+        CHECK(found.neighbours.size() % 2 == 0);
+    }
+}

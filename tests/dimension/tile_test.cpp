@@ -306,7 +306,7 @@ TEST_CASE("neighbours are the translates that meet it") {
 TEST_CASE("the area of complete residues is how often a point is covered") {
     int compared = 0;
     CHECK(rc::check([&] {
-        if (compared == 40) return;
+        if (compared == 25) return;
         const auto p = drawn(-1, 2);
         const auto q = drawn(2, 4);
         const Digits digits = random_residues(p, q, 1);
@@ -314,7 +314,7 @@ TEST_CASE("the area of complete residues is how often a point is covered") {
         if (!found.cells) return;  // parts meet in too many ways
         // Points of the boundary are covered more often, and some small grids have no others.
         std::int64_t least = 1'000'000;
-        for (const std::int64_t denominator : {7, 11, 13, 17}) {
+        for (const std::int64_t denominator : {7, 13}) {
             std::map<Cell, std::int64_t> covered;
             for (std::int64_t x = 0; x < denominator; ++x)
                 for (std::int64_t y = 0; y < denominator; ++y) covered[{x, y}] = 0;
@@ -329,7 +329,7 @@ TEST_CASE("the area of complete residues is how often a point is covered") {
         RC_ASSERT(found.is_tile.answer == Answer::yes);
         ++compared;
     }));
-    CHECK(compared == 40);
+    CHECK(compared == 25);
 }
 
 TEST_CASE("areas are near the share of a grid, also where parts overlap") {

@@ -351,7 +351,7 @@ class LSystem:
     def factor_report(self, longest: int, *, timeout: Optional[float] = None,
                       budget: Optional[Budget] = None) -> dict[str, Any]:
         """Factor, palindromic and Abelian complexity up to a length, and more of the factors, as `algae words --json` says them; what
-        holds for all lengths, ``not_proved`` and the critical exponent, only the command proves."""
+        holds for all lengths by automata, ``not_proved`` and the critical exponent, only the command proves."""
         with limits(timeout, budget, "factors") as bounds:
             found: dict[str, Any] = json.loads(
                 _algae.factor_values_json(self._system, arguments.count("longest", longest, 0, 10**6), bounds))

@@ -127,7 +127,6 @@ PointSet read_points(std::string_view text, const std::string& name) {
 
 std::optional<PointSet> dots_of(const Figure& figure, const Budget& budget) {
     constexpr std::size_t between_checks = 1u << 20;
-    if (figure.facts().step > 0) return std::nullopt;  // lines, which need not be drawn to be seen
     PointSet found;
     bool has_length = false;
     DrawnSegments canvas([&](Point from, Point to, bool) {

@@ -76,8 +76,12 @@ TEST_CASE("curves that the time does not suffice for are unfinished, and not wit
         CHECK(late > 10);
     }
     // Those that are done in time have their line, and the rest has none: 0.3 seconds are enough for some
-    // curves, or for all.
+    // curves, or for all; on a busy machine not even for the reading of the gallery.
     const Run some = run("dimension --table --quick --timeout 0.3");
+    if (some.out.empty()) {
+        CHECK(some.status == 3);
+        return;
+    }
     CHECK(some.status == (some.out.find("\nunfinished:\n") == std::string::npos ? 0 : 3));
     CHECK((some.out.find(over) == std::string::npos) == (some.status == 0));
 }

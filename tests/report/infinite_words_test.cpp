@@ -1,6 +1,6 @@
 // What `words` says of random morphisms and of their words, compared with windows of 40 letters.
 //
-// ALGAE_MORPHISMS=10000 takes so many systems, and ALGAE_TABLE=FILE writes what was compared: tools/random-words does both.
+// ALGAE_MORPHISMS=10000 takes so many systems, ALGAE_SEED=1 other ones, and ALGAE_TABLE=FILE writes what was compared: tools/random-words does so.
 
 #include <doctest/doctest.h>
 
@@ -417,7 +417,9 @@ private:
 TEST_CASE("words: every quantity of random morphisms is that of all windows") {
     const char* given = std::getenv("ALGAE_MORPHISMS");
     const std::size_t wanted = given ? std::strtoull(given, nullptr, 10) : 150;
-    std::mt19937 generator(2022);
+    const char* seed = std::getenv("ALGAE_SEED");
+    std::mt19937 generator(
+        seed ? static_cast<std::mt19937::result_type>(std::strtoul(seed, nullptr, 10)) : 2022);
     WordComparison comparison;
     for (std::size_t i = 0; i < wanted; ++i) comparison.compare(any_system(generator));
     std::ostringstream text;

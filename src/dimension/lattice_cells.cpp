@@ -229,11 +229,6 @@ std::vector<Place> residues(const LatticeSet& lattice) {
     if (count > most_digits)
         throw BoundReached(Bound::method, "a cell has " + std::to_string(count) +
                                               " parts, more than " + std::to_string(most_digits));
-    const auto residue = [&](Place at) {
-        const auto modulo = [&](std::int64_t x) { return ((x % count) + count) % count; };
-        return Place{modulo(at.x * lattice.scale[1][1] - at.y * lattice.scale[1][0]),
-                     modulo(at.y * lattice.scale[0][0] - at.x * lattice.scale[0][1])};
-    };
     for (std::int64_t side = 2;; side *= 2) {
         std::vector<Place> near;
         for (std::int64_t x = -side; x <= side; ++x)
@@ -244,10 +239,10 @@ std::vector<Place> residues(const LatticeSet& lattice) {
         };
         std::stable_sort(near.begin(), near.end(),
                          [&](Place a, Place b) { return far(a) < far(b) - 1e-9; });
-        std::set<Place> seen;
+        std::set<std::array<std::int64_t, 2>> seen;
         std::vector<Place> found;
         for (const Place at : near)
-            if (seen.insert(residue(at)).second) found.push_back(at);
+            if (seen.insert(residue(lattice, {at.x, at.y, 0})).second) found.push_back(at);
         if (static_cast<std::int64_t>(found.size()) == count) return found;
     }
 }
@@ -724,6 +719,14 @@ std::int64_t LatticeSet::determinant() const {
 }
 
 /// From discs around the beginnings that are large enough, towards smaller ones around the middles of their parts.
+std::array<std::int64_t, 2> residue(const LatticeSet& set, const LatticeSet::Vector& vector) {
+    const std::int64_t count = std::abs(set.determinant());
+    const auto modulo = [&](std::int64_t x) { return ((x % count) + count) % count; };
+    const auto& [x, y, none] = vector;
+    return {modulo(x * set.scale[1][1] - y * set.scale[1][0]),
+            modulo(y * set.scale[0][0] - x * set.scale[0][1])};
+}
+
 std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set) {
     const double a = set.linear[0], b = set.linear[1], c = set.linear[2], d = set.linear[3];
     const double whole = a * d - b * c;
@@ -753,21 +756,12 @@ std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set) {
         std::vector<RecurrentSet::Disc> next = discs;
         for (std::size_t s = 0; s < discs.size(); ++s) {
             if (set.parts[s].empty()) continue;
-            double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
             std::vector<RecurrentSet::Disc> inner;
             for (std::size_t i = 0; i < set.parts[s].size(); ++i) {
                 const auto& of = discs[set.parts[s][i].state];
                 inner.push_back({smaller(of.centre) + offsets[s][i], of.radius * shrinking});
-                const auto& [centre, radius] = inner.back();
-                left = std::min(left, centre.real() - radius);
-                right = std::max(right, centre.real() + radius);
-                low = std::min(low, centre.imag() - radius);
-                high = std::max(high, centre.imag() + radius);
             }
-            RecurrentSet::Disc tighter{{(left + right) / 2, (low + high) / 2}, 0};
-            for (const auto& [centre, radius] : inner)
-                tighter.radius =
-                    std::max(tighter.radius, std::abs(centre - tighter.centre) + radius);
+            const RecurrentSet::Disc tighter = around(inner);
             if (tighter.radius < discs[s].radius) next[s] = tighter;
         }
         discs = std::move(next);

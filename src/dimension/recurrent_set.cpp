@@ -271,7 +271,8 @@ std::vector<bool> drawing_for_ever(const Unfolding& unfolding) {
     return lasting(parts, unfolding.draws);
 }
 
-/// A disc around discs: the one around the middle of their box.
+}  // namespace
+
 RecurrentSet::Disc around(const std::vector<RecurrentSet::Disc>& discs) {
     double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
     for (const auto& [centre, radius] : discs) {
@@ -285,8 +286,6 @@ RecurrentSet::Disc around(const std::vector<RecurrentSet::Disc>& discs) {
         found.radius = std::max(found.radius, std::abs(centre - found.centre) + radius);
     return found;
 }
-
-}  // namespace
 
 RecurrentSet::RecurrentSet(const Model& system, const D0L& rules, const Budget& budget)
     : RecurrentSet(unfolded(system, rules, budget), budget) {}

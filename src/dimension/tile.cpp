@@ -72,6 +72,12 @@ Group moved(Group group, const Vector& by) {
     return group;
 }
 
+Group pair_of(const Placed& left, const Placed& right) {
+    Group both{left, right};
+    std::sort(both.begin(), both.end());
+    return both;
+}
+
 Group united(const Group& left, const Group& right) {
     Group found;
     std::set_union(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(found));
@@ -306,8 +312,7 @@ private:
 
     /// Of parts of tiles whose pair has been looked at.
     bool have_met(const Placed& left, const Placed& right) const {
-        Group pair{left, right};
-        std::sort(pair.begin(), pair.end());
+        Group pair = pair_of(left, right);
         normalised(pair);
         const auto place = numbers_.find(pair);
         return place != numbers_.end() && nodes_[place->second].alive;
@@ -687,19 +692,12 @@ private:
     /// the plane equally often everywhere: how often a point is covered does not change under the lattice and the map, which is ergodic. So
     /// the areas of the states add up to a whole number of cells, and bounds say which.
     void find_area_of_cover() {
-        std::set<std::pair<std::size_t, std::vector<std::int64_t>>> seen;
+        std::set<std::pair<std::size_t, std::array<std::int64_t, 2>>> seen;
         std::size_t count = 0;
         const std::int64_t whole = std::abs(set_.determinant());
         for (const auto& parts : set_.parts)
             for (const Placed& part : parts) {
-                const auto& [x, y, none] = part.by;
-                // The vector times the adjoint of M, modulo the determinant, says which residue it is.
-                const auto modulo = [&](std::int64_t value) {
-                    return ((value % whole) + whole) % whole;
-                };
-                seen.insert({part.state,
-                             {modulo(x * set_.scale[1][1] - y * set_.scale[1][0]),
-                              modulo(y * set_.scale[0][0] - x * set_.scale[0][1])}});
+                seen.insert({part.state, residue(set_, part.by)});
                 ++count;
             }
         const auto states = static_cast<std::int64_t>(set_.parts.size());
@@ -734,9 +732,7 @@ private:
             for (const Placed& point : rest)
                 if (!is_point(point.state) ||
                     !std::any_of(kept.begin(), kept.end(), [&](const Placed& other) {
-                        Group both{other, point};
-                        std::sort(both.begin(), both.end());
-                        return meetings.find(both).has_value();
+                        return meetings.find(pair_of(other, point)).has_value();
                     }))
                     return false;
             parts = std::move(kept);
@@ -791,10 +787,7 @@ private:
                 out_.connected = {Answer::no, "it falls into parts that do not meet"};
                 return;
             }
-            std::vector<Placed> finer;
-            for (const Placed& tile : level)
-                for (const Placed& part : meetings_->parts(tile)) finer.push_back(part);
-            level = std::move(finer);
+            level = finer(level);
         }
         out_.connected = {Answer::undecided, "some part is not connected, and the whole may be"};
     }
@@ -888,9 +881,8 @@ private:
             done.at(k);
             const Surrounded type = *list[k];
             const Group own = meetings_->parts(Placed{type.state, {}});
-            Group all = own;
-            for (const Placed& other : type.others)
-                for (const Placed& part : meetings_->parts(other)) all.push_back(part);
+            Group all = finer(type.others);
+            all.insert(all.end(), own.begin(), own.end());
             for (const Placed& part : own) {
                 Surrounded next{part.state, {}};
                 for (const Placed& other : all)
@@ -1299,12 +1291,6 @@ private:
         const auto begin = place - path.begin();
         ExactPoint at = meetings_->fixed_point({shifts.begin() + begin, shifts.end()});
         return moved_back(std::move(at), {shifts.begin(), shifts.begin() + begin});
-    }
-
-    static Group pair_of(const Placed& left, const Placed& right) {
-        Group both{left, right};
-        std::sort(both.begin(), both.end());
-        return both;
     }
 
     void find_interior() {

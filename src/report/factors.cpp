@@ -578,12 +578,15 @@ std::string word_lines(const FactorValues& report) {
     return page;
 }
 
+/// The value, or null.
+template <class Value>
+Json if_known(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
+}
+
 Json morphism_json(const FactorValues& report) {
     const MorphismProperties& found = report.morphism;
     const auto word = [&](const Word& one) { return Json(spell(report.morphism_alphabet, one)); };
-    const auto if_known = [](const std::optional<bool>& value) {
-        return value ? Json(*value) : Json();
-    };
     Json same;
     if (found.same_image) {
         same = Json::array();
@@ -816,17 +819,16 @@ Json to_json(const FactorValues& report) {
             {"rate", Json{{"minimal_polynomial", to_string(report.rate.minimal_polynomial(), "r")},
                           {"decimal", report.rate.decimal(digits_in_json)}}},
             {"primitive", report.primitivity.exponent.has_value()},
-            {"least_positive_power",
-             report.primitivity.exponent ? Json(*report.primitivity.exponent) : Json()},
+            {"least_positive_power", if_known(report.primitivity.exponent)},
             {"morphism", morphism_json(report)},
-            {"circular", report.circular ? Json(*report.circular) : Json()},
+            {"circular", if_known(report.circular)},
             {"families", families_json(report.for_all)},
-            {"rich", report.rich ? Json(*report.rich) : Json()},
-            {"poor_beginning", report.poor_beginning ? Json(*report.poor_beginning) : Json()},
+            {"rich", if_known(report.rich)},
+            {"poor_beginning", if_known(report.poor_beginning)},
             {"derived_words", derived_json(report)},
             {"constant_length", columns_json(report.columns)},
-            {"pure_point_spectrum", report.pure_point ? Json(*report.pure_point) : Json()},
-            {"closed_under_reversal", reversal ? Json(*reversal) : Json()},
+            {"pure_point_spectrum", if_known(report.pure_point)},
+            {"closed_under_reversal", if_known(reversal)},
             {"not_reversed",
              report.not_reversed ? Json(spell(report.alphabet, *report.not_reversed)) : Json()}};
 }

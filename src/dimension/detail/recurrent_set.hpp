@@ -145,6 +145,12 @@ CellGrowth cell_growth(const RecurrentSet& set, const Budget& budget = {},
 CellGrowth cell_growth(const LatticeSet& set, CellQuestion question, const Budget& budget = {},
                        std::size_t most = 50'000);
 
+/// A disc around discs: the one around the middle of their box.
+RecurrentSet::Disc around(const std::vector<RecurrentSet::Disc>& discs);
+
+/// What says which residue modulo M a vector of a lattice of rank 2 is: the vector times the adjoint of M, modulo its determinant.
+std::array<std::int64_t, 2> residue(const LatticeSet& set, const LatticeSet::Vector& vector);
+
 /// For each state a disc that holds it, with a margin.
 std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set);
 

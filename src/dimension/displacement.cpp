@@ -276,12 +276,10 @@ std::vector<std::vector<ComplexBall>> numbers_of(
                     sum = sum + dual[i] * ComplexBall{Ball(basis(k, i), bits), Ball(0, bits)};
                 certain = sum.real.is_finite() && sum.imaginary.is_finite();
                 if (!certain) break;
-                const double size =
-                    std::abs(sum.real.midpoint()) + std::abs(sum.imaginary.midpoint());
-                const long exponent =
-                    static_cast<long>(std::floor(std::log2(size + 1e-300))) - digits;
-                certain =
-                    sum.real.has_radius_below(exponent) && sum.imaginary.has_radius_below(exponent);
+                // Quotients, as the numbers may be beyond every double.
+                const Ball size = abs(sum.real) + abs(sum.imaginary);
+                certain = (sum.real / size).has_radius_below(-digits) &&
+                          (sum.imaginary / size).has_radius_below(-digits);
                 of_root.push_back(std::move(sum));
             }
         }

@@ -324,3 +324,15 @@ TEST_CASE("the dimension with multiplicity is that of rates found by iteration")
     CHECK(looked_at >= 5);
     MESSAGE(looked_at, " systems, ", multiplying, " whose parts multiply");
 }
+
+// What overflowed was seen by a build with sanitizers (tools/sanitize, tools/python asan): the exponent of an infinite double.
+TEST_CASE("the limit of plant d, whose lattice has numbers beyond every double, has no overflow") {
+    const Model plant = read_lsystem("axiom X; X -> F[+X]F[-X]+X; F -> FF; angle 20", "plant-d");
+    try {
+        const ExactDimension found = exact_dimension(plant, short_time());
+        REQUIRE(found.similarity);
+        CHECK(found.similarity->enclosure(64).midpoint() == doctest::Approx(std::log2(3.0)));
+    } catch (const BoundReached&) {
+        // The lattice comes first.
+    }
+}

@@ -718,7 +718,6 @@ std::int64_t LatticeSet::determinant() const {
     return scale[0][0] * scale[1][1] - scale[0][1] * scale[1][0];
 }
 
-/// From discs around the beginnings that are large enough, towards smaller ones around the middles of their parts.
 std::array<std::int64_t, 2> residue(const LatticeSet& set, const LatticeSet::Vector& vector) {
     const std::int64_t count = std::abs(set.determinant());
     const auto modulo = [&](std::int64_t x) { return ((x % count) + count) % count; };
@@ -727,6 +726,7 @@ std::array<std::int64_t, 2> residue(const LatticeSet& set, const LatticeSet::Vec
             modulo(y * set.scale[0][0] - x * set.scale[0][1])};
 }
 
+/// From discs around the beginnings that are large enough, towards smaller ones around the middles of their parts.
 std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set) {
     const double a = set.linear[0], b = set.linear[1], c = set.linear[2], d = set.linear[3];
     const double whole = a * d - b * c;

@@ -2,7 +2,7 @@
 // figure in space; with --explain or --progressive the turtle at work.
 //
 // The name of the output says the format, and the format says how several generations are shown: as pages of
-// pdf and ps, frames of gif and webp, or panels if --panels or the file ask for them. Options that exclude each
+// pdf and ps, frames of animations, or panels if --panels or the file ask for them. Options that exclude each
 // other are refused before anything is drawn. --explain numbers the steps of a short word and shows them in
 // a table or a picture; --progressive draws a word symbol by symbol, several symbols to a frame if there would be
 // too many frames. FILE may be another generator: then -n and --seed replace statements of
@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <deque>
 #include <filesystem>
 #include <optional>
+#include <thread>
 
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
@@ -31,8 +33,9 @@ namespace algae::command {
 namespace {
 
 constexpr std::uint64_t usual_frames = 240, most_frames = 10'000;
-constexpr double usual_time = 0.8, usual_progress_time = 0.05;  // seconds a frame
-constexpr std::uint64_t most_strokes = 5'000'000;               // of all pages together
+constexpr double usual_time = 0.8, usual_progress_time = 0.05,
+                 usual_turn_time = 0.08;           // seconds a frame
+constexpr std::uint64_t most_strokes = 5'000'000;  // of all pages together
 
 struct Options {
     std::string file, output, format, tables, environment, background, caption, author;
@@ -50,6 +53,7 @@ struct Options {
     bool scale_bar = false, panels = false, common_scale = false, own_scale = false;
     bool captions = false;
     bool progressive = false, explain = false, plotter = false, raster = false, json = false;
+    bool watch = false;
     Bounds bounds;
 
     std::vector<StatementOption> statements() const {
@@ -141,6 +145,13 @@ AnimationTiming timing_of(const Options& options, double usual) {
     return timing;
 }
 
+/// Throws Error for a camera that goes around a figure where nothing moves with it.
+[[noreturn]] void refuse_turning() {
+    throw Error(
+        "--camera: goes around a figure in an animation of one generation; expected a file ending "
+        "in .gif, .webp, .mp4 or .webm, or one azimuth");
+}
+
 /// Throws Error if an option is set that makes no sense: `moves` in a file that holds an animation.
 void check_motion(const Options& options, bool moves) {
     if (options.explain && options.progressive)
@@ -150,7 +161,9 @@ void check_motion(const Options& options, bool moves) {
     if (!moves)
         refuse_given({{"--frame-time", options.frame_time.has_value()},
                       {"--loop", options.loop.has_value()}},
-                     ": only animations have it: expected a file ending in .gif or .webp");
+                     ": only animations have it: expected a file ending in .gif, .webp, .mp4 or "
+                     ".webm");
+    if (!moves && options.space.turns()) refuse_turning();
 }
 
 /// The name whose end says the format of an output that must be given.
@@ -354,10 +367,12 @@ int draw_progressive(const Options& options) {
     const PictureFormat format = animation ? PictureFormat::png : picture_format(named);
     if (!animation && format != PictureFormat::pdf && format != PictureFormat::ps)
         throw Error(
-            std::string("--progressive: expected gif or webp for an animation, or pdf or ps "
-                        "for pages, found ") +
+            std::string(
+                "--progressive: expected gif, webp, mp4 or webm for an animation, or pdf or "
+                "ps for pages, found ") +
             format_name(format));
     check_motion(options, animation.has_value());
+    if (options.space.turns()) refuse_turning();
     const AnimationTiming timing = timing_of(options, usual_progress_time);
     const std::uint64_t n = options.generation.empty()
                                 ? shown_generations(system).second
@@ -396,7 +411,7 @@ int draw_progressive(const Options& options) {
     if (!animation && each > 2 * most_strokes / figures.size())
         throw Error("--progressive: the " + std::to_string(figures.size()) +
                     " pages would hold more than " + std::to_string(most_strokes) +
-                    " strokes; use gif or webp, a smaller -n or a smaller --max-frames");
+                    " strokes; use an animation, a smaller -n or a smaller --max-frames");
     if (stride > 1)
         note(std::to_string(length) + " symbols in " + std::to_string(figures.size()) +
              " frames, " + std::to_string(stride) +
@@ -461,16 +476,18 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
                     {"--common-scale", options.common_scale},
                     {"--scale-bar", options.scale_bar},
                     {"--label", !options.labels.empty()},
-                    {"--light", options.space.light.has_value()},
                     {"--fog", options.space.fog.has_value()}},
                    format);
+    if (format != MeshFormat::pov)
+        refuse_on_mesh({{"--light", options.space.light.has_value()}}, format);
     check_motion(options, false);
     const Budget budget = options.bounds.budget();
     MeshChoices choices;
-    if (options.space.camera) choices.camera = *options.space.camera;
+    if (options.space.camera) choices.camera = options.space.camera->camera;
     if (options.facets) choices.mesh.facets = static_cast<unsigned>(*options.facets);
     if (options.colours) choices.colours = *options.colours;
     if (!options.background.empty()) choices.background = options.background;
+    choices.light = options.space.light;
 
     Json json;
     Scene scene;
@@ -483,7 +500,9 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
             options.generation.empty()
                 ? shown_generations(system).second
                 : one_generation(options, mesh_format_name(format) + std::string(" holds"));
-        choices.camera = view_choices(options.space, system, choices.background).camera;
+        const ViewChoices view = view_choices(options.space, system, choices.background);
+        choices.camera = view.camera;
+        choices.light = view.light;
         std::string rounded;
         scene = scene_of_word(options, system, generation, budget, rounded);
         json.set("generation", generation);
@@ -504,6 +523,7 @@ std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options, c
         return {wished.first, wished.last};
     }
     const auto shown = shown_generations(system);
+    if (options.space.turns()) return {shown.second, shown.second};
     return moves && shown.first == shown.second ? std::pair(std::uint64_t{0}, shown.second) : shown;
 }
 
@@ -681,7 +701,7 @@ int draw_to_scene_page(const Options& options, const PictureOptions& picture,
                   {"--fog", options.space.fog.has_value()}},
                  ": a page shows one figure in space at a time, as large as the window");
     MeshChoices choices;
-    if (options.space.camera) choices.camera = *options.space.camera;
+    if (options.space.camera) choices.camera = options.space.camera->camera;
     if (options.facets) choices.mesh.facets = static_cast<unsigned>(*options.facets);
     if (options.colours) choices.colours = *options.colours;
     if (!options.background.empty()) choices.background = options.background;
@@ -766,13 +786,14 @@ int draw_generator_file(const Options& options, PictureFormat format,
 }
 
 /// A note behind a file of strokes that few programs open quickly.
-void offer_raster(const Options& options) {
+void offer_raster(const Options& options, bool is_layered) {
     constexpr std::uintmax_t large = 2'000'000;
     std::error_code unknown;
     const std::uintmax_t bytes = std::filesystem::file_size(options.output, unknown);
     if (unknown || bytes <= large) return;
-    note(options.output + " has " + std::to_string((bytes + 500'000) / 1'000'000) +
-         " MB, every stroke is in it; --raster puts an image in their place");
+    note(options.output + " has " + std::to_string((bytes + 500'000) / 1'000'000) + " MB, every " +
+         (is_layered ? "part that can be seen" : "stroke") +
+         " is in it; --raster puts an image in their place");
 }
 
 int draw_as(const Options& options) {
@@ -798,7 +819,9 @@ int draw_as(const Options& options) {
         throw Error(
             "--raster: puts an image into svg, pdf, ps or eps; expected one of these without "
             "--plotter");
-    const AnimationTiming timing = timing_of(options, usual_time);
+    AnimationTiming timing =
+        timing_of(options, options.space.turns() ? usual_turn_time : usual_time);
+    if (options.space.turns()) timing.last = timing.frame;  // it goes on where it began
     check_motion(options, animation.has_value());
     if (animation && options.panels) refuse_panels();
     PictureOptions picture = picture_options(options);
@@ -820,6 +843,8 @@ int draw_as(const Options& options) {
     const auto generations = plates.generations;
     picture.title = plates.system().title;
     picture.source = plates.system().source;
+    for (PointLabel& label : labels_of(plates.system().drawing))
+        picture.labels.push_back(std::move(label));
 
     const bool single = plates.figures.size() == 1;
     const bool pages = !single && !options.panels && !plates.varied &&
@@ -832,9 +857,10 @@ int draw_as(const Options& options) {
     // Tables and pages have room for several figures.
     const bool apart = text && *text != FigureFormat::tex && *text != FigureFormat::typ;
     if (!single && !pages && !panels && !animation && !apart)
-        throw Error("-n " + options.generation +
-                    ": several generations need --panels, pdf or ps for pages, or gif or webp for "
-                    "an animation");
+        throw Error(
+            "-n " + options.generation +
+            ": several generations need --panels, pdf or ps for pages, or gif, webp, mp4 or "
+            "webm for an animation");
     const Target target = target_of(options.output);
     const std::vector<Plate> all = plates.plates();
     note_rounding(rounded_figures(plates.figures));
@@ -855,7 +881,8 @@ int draw_as(const Options& options) {
         const int status = write_as_text(
             sources.all, *text, {options.output, picture, options.plotter, panels, options.json},
             figures_json(plates), budget);
-        if (*text == FigureFormat::svg && !options.plotter) offer_raster(options);
+        if (*text == FigureFormat::svg && !options.plotter)
+            offer_raster(options, all.front().figure->is_layered());
         return status;
     }
     ProgressBar bar("Drawing");
@@ -866,7 +893,8 @@ int draw_as(const Options& options) {
                             : draw_panels(all, target, format, picture, budget, &bar);
     if (drawn.as_image && !options.raster)
         note("too many strokes for a vector format, drawn as an image within it");
-    if (!drawn.as_image && !animation && format != PictureFormat::png) offer_raster(options);
+    if (!drawn.as_image && !animation && format != PictureFormat::png)
+        offer_raster(options, all.front().figure->is_layered());
     for (const std::size_t blank : drawn.blank)
         note("nothing is drawn in generation " + std::to_string(plates.figures[blank].generation));
     if (options.json) print(as_json(plates, drawn, options.output).text());
@@ -880,12 +908,48 @@ std::vector<std::string> own_colours(const Options& options, const Budget& budge
     return open_model(options.file, budget, panels_of_let(options.let).front()).drawing.colours;
 }
 
-int draw(const Options& options) {
+int draw_once(const Options& options) {
     if (!options.theme) return draw_as(options);
     if (options.file == "-")
         throw Error(
             "--theme: standard input is read once, and its colours before; expected a file");
     return draw_as(themed(options, own_colours(options, options.bounds.budget())));
+}
+
+/// Draws again whenever FILE changes, until it is told to stop. A mistake in FILE is told, and waits for the next change.
+int draw_watching(const Options& options) {
+    constexpr std::chrono::milliseconds pause(100);
+    namespace fs = std::filesystem;
+    std::error_code unknown;
+    if (options.file == "-" || !fs::is_regular_file(options.file, unknown))
+        throw Error("--watch: expected a file that may change, found " +
+                    algae::quoted(options.file));
+    if (options.output.empty() || options.output == "-")
+        throw Error("--watch: expected -o with the name of a file");
+    Budget waiting = options.bounds.budget();
+    waiting.deadline.reset();
+    std::optional<fs::file_time_type> drawn;
+    for (;;) {
+        const fs::file_time_type changed = fs::last_write_time(options.file, unknown);
+        if (!unknown && changed != drawn) {
+            drawn = changed;
+            try {
+                draw_once(options);
+                note(options.output + " is drawn, and again when " + options.file +
+                     " changes; Ctrl-C ends it");
+            } catch (const Interrupted&) {
+                throw;
+            } catch (const std::exception& error) {
+                note(error.what());
+            }
+        }
+        waiting.check();
+        std::this_thread::sleep_for(pause);
+    }
+}
+
+int draw(const Options& options) {
+    return options.watch ? draw_watching(options) : draw_once(options);
 }
 
 }  // namespace
@@ -896,17 +960,20 @@ void add_draw(Verbs& verbs) {
                   {"algae draw koch -n 4 -o koch.svg",
                    "algae draw plant-f -n 0..5 --panels --captions -o plants.pdf",
                    "algae draw dragon -n 0..10 --frame-time 0.5 -o dragon.gif",
-                   "algae draw hilbert-3d --camera 30,20,perspective -o hilbert.png"},
+                   "algae draw hilbert-3d --camera 30,20,perspective -o hilbert.png",
+                   "algae draw hilbert-3d --camera 0..360,20 -o hilbert.gif"},
                   draw);
     verb.option("FILE", options.file, file_type, file_help).required = true;
     add_let_option(verb, options.let);
     verb.option("-n", options.generation, "N[..M]",
-                "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, "
+                "the generation, or a range such as 0..6: pages of a pdf, frames of an animation, "
                 "or --panels (default: what the file says)");
     verb.output("-o,--output", options.output, "FILE",
-                "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp, the "
-                "figure as text: .tex (TikZ), .typ (Typst), .csv, .geojson, .dxf or .html, the "
-                "figure in space: .glb, .obj, .ply, .stl, .x3d or .wrl; - for standard output");
+                "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif, .webp, .mp4 or "
+                ".webm (both by ffmpeg), the figure as text: .tex (TikZ), .typ (Typst), .csv, "
+                ".geojson, .dxf or .html, the "
+                "figure in space: .glb, .obj, .ply, .stl, .x3d, .wrl or .pov (for POV-Ray); - for "
+                "standard output");
     verb.option("--format", options.format,
                 std::string(picture_formats) + '|' + text_formats + '|' + mesh_formats,
                 "the format, where the name does not say it; vrml1 for VRML 1.0");
@@ -919,9 +986,9 @@ void add_draw(Verbs& verbs) {
     verb.flag("--own-scale", options.own_scale, "each panel's figure as large as its panel");
     options.settings.add_to(verb);
     verb.option("--width", options.width, positive, "W",
-                "of the picture, in points (png, gif, webp: pixels)");
+                "of the picture, in points (png and animations: pixels)");
     verb.option("--height", options.height, positive, "H",
-                "of the picture, in points (png, gif, webp: pixels)");
+                "of the picture, in points (png and animations: pixels)");
     verb.option("--margin", options.margin, positive_or_zero, "M", "blank border (default 10)");
     verb.option(
         "--line-width", options.line_width, positive, "W",
@@ -929,12 +996,12 @@ void add_draw(Verbs& verbs) {
         "are dense)");
     verb.option("--colour", options.colours, list, "COLOUR,...",
                 "names or #rrggbb, the next for each '; or what runs with the word: along (hues), "
-                "viridis, cividis");
+                "viridis, cividis; currentColor, in an svg that of the text around it");
     verb.option(
         "--theme", options.theme, theme, "light|dark|print",
         "what the picture is for: dark draws in light colours on a dark page, print in greys");
     verb.option("--background", options.background, "COLOUR",
-                "a colour, or transparent (default: white in png, gif and webp, none elsewhere)");
+                "a colour, or transparent (default: white in png and animations, none elsewhere)");
     verb.flag("--captions", options.captions, "system, generation and angle underneath");
     verb.option("--caption", options.caption, "TEXT", "a text underneath");
     verb.option("--font-size", options.font_size, positive, "S", "of captions");
@@ -957,12 +1024,14 @@ void add_draw(Verbs& verbs) {
     verb.option("--label", options.labels, point_label, "TEXT@x,y[,z]",
                 "a text at a point of the figure; may be given several times");
     verb.option("--frame-time", options.frame_time, positive, "SECONDS",
-                "of an animation: seconds a frame (default 0.8; with --progressive 0.05)");
+                "of an animation: seconds a frame (default 0.8; with --progressive 0.05, around a "
+                "figure 0.08)");
     verb.option("--loop", options.loop, natural, "N",
-                "of an animation: how often it is shown; 0, the default, for ever");
-    verb.flag("--progressive", options.progressive,
-              "one generation symbol by symbol, with the turtle where it is: gif, webp, or pages "
-              "of pdf or ps");
+                "of a gif or webp: how often it is shown; 0, the default, for ever");
+    verb.flag(
+        "--progressive", options.progressive,
+        "one generation symbol by symbol, with the turtle where it is: an animation, or pages "
+        "of pdf or ps");
     verb.option("--max-frames", options.max_frames, frame_bound, "N",
                 "of --progressive: several symbols a frame where there would be more (default "
                 "240)");
@@ -971,6 +1040,7 @@ void add_draw(Verbs& verbs) {
               "without -o the table alone");
     verb.option("--facets", options.facets, facet_count, "K",
                 "of files of figures in space: sides of a tube, 3 to 256 (default 8)");
+    verb.flag("--watch", options.watch, "draw again whenever FILE changes, until Ctrl-C");
     add_environment_option(verb, options.environment);
     verb.json_flag(options.json,
                    "print segments, bounding box and end as one JSON object; integers from 2^53 on "

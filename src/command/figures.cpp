@@ -96,6 +96,7 @@ void draw_formats(const Options& options, Outcome& outcome, const std::vector<Pl
                   const Drawing& drawing, const Budget& budget) {
     PictureOptions picture;
     picture.columns = drawing.columns;
+    picture.labels = labels_of(drawing);
     picture.common_scale = has_common_scale(drawing, plates);
     for (const std::string& format : options.formats) {
         const std::string path = picture_path(options.out, outcome, format);

@@ -67,7 +67,7 @@ int run_generator(const Options& options) {
                         {"--caption", !options.caption.empty()}},
                        *mesh);
     if (!animation && options.rate)
-        throw Error("--rate is for animations: expected -o with .gif or .webp");
+        throw Error("--rate is for animations: expected -o with .gif, .webp, .mp4 or .webm");
     PictureOptions picture;
     picture.width = options.width;
     picture.height = options.height;
@@ -231,12 +231,13 @@ void add_generator(Verbs& verbs, const GeneratorVerb& generator) {
                 "a file ending in ." + kind +
                     ", - for standard input, or a name from the gallery; options say what the file "
                     "would");
-    verb.output("-o,--output", options.output, "FILE",
-                "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp" +
-                    std::string(in_space(kind) ? ", the figure in space: .glb, .obj, .ply, .stl, "
-                                                 ".x3d or .wrl"
-                                               : "") +
-                    "; - for standard output");
+    verb.output(
+        "-o,--output", options.output, "FILE",
+        "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif, .webp, .mp4 or .webm" +
+            std::string(in_space(kind) ? ", the figure in space: .glb, .obj, .ply, .stl, "
+                                         ".x3d, .wrl or .pov"
+                                       : "") +
+            "; - for standard output");
     verb.option(
         "--format", options.format,
         std::string(picture_formats) + (in_space(kind) ? '|' + std::string(mesh_formats) : ""),

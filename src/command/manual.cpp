@@ -35,8 +35,8 @@ std::uint32_t next_character(const std::string& text, std::size_t& at) {
 /// A text for roff: no character of it is taken for a request or another character.
 std::string roff(const std::string& text) {
     static const std::map<std::uint32_t, const char*> names{
-        {'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"}, {'"', "\\(dq"},
-        {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
+        {'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"}, {'"', "\\(dq"}, {'`', "\\(ga"},
+        {'^', "\\(ha"}, {'~', "\\(ti"}, {'|', "|\\:"}};  // a line may end behind it
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t begin = at;

@@ -25,12 +25,20 @@ namespace algae::command {
 namespace {
 
 /// A reader of the text of --camera.
-Camera camera(const std::string& option, const std::string& text) {
+MovingCamera camera(const std::string& option, const std::string& text) {
     const std::string expected = "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,perspective[:DEGREES]";
     const std::vector<std::string> parts = between_commas(text);
-    const auto azimuth = number(parts[0]);
-    const auto elevation = parts.size() > 1 ? number(parts[1]) : std::nullopt;
-    if (!azimuth || !elevation || parts.size() > 3) refuse(option, expected, text);
+    const std::size_t dots = parts[0].find("..");
+    const auto azimuth = number(parts[0].substr(0, dots));
+    const auto last = dots == std::string::npos ? std::nullopt : number(parts[0].substr(dots + 2));
+    // A turntable may leave the elevation as it is.
+    const auto elevation = parts.size() > 1            ? number(parts[1])
+                           : dots != std::string::npos ? std::optional(Camera{}.elevation)
+                                                       : std::nullopt;
+    if (!azimuth || !elevation || parts.size() > 3 || (dots != std::string::npos && !last))
+        refuse(option, expected, text);
+    if (last && (*last == *azimuth || std::fabs(*last - *azimuth) > 3600))
+        refuse(option, "a turn of at most 3600 degrees, such as 0..360", parts[0]);
     Camera found{*azimuth, *elevation};
     if (parts.size() == 3) {
         const std::string word = "perspective";
@@ -46,7 +54,7 @@ Camera camera(const std::string& option, const std::string& text) {
     } catch (const Error& error) {
         throw Error(option + ": " + error.what());
     }
-    return found;
+    return {found, last};
 }
 
 /// A reader of the text of --light.
@@ -68,10 +76,24 @@ double fog_share(const std::string& option, const std::string& text) {
 
 }  // namespace
 
+std::vector<Camera> MovingCamera::stations() const {
+    if (!last) return {camera};
+    constexpr double stride = 5;  // degrees
+    const double turn = *last - camera.azimuth;
+    const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(std::fabs(turn) / stride)));
+    const bool comes_round = std::fmod(turn, 360) == 0;
+    std::vector<Camera> found(comes_round ? steps : steps + 1, camera);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        found[i].azimuth += turn * static_cast<double>(i) / static_cast<double>(steps);
+    return found;
+}
+
 void SpaceOptions::add_to(Verb& verb) {
-    verb.option("--camera", camera, command::camera, "AZIMUTH,ELEVATION[,perspective[:DEGREES]]",
+    verb.option("--camera", camera, command::camera,
+                "AZIMUTH[..LAST],ELEVATION[,perspective[:DEGREES]]",
                 "of figures in space: where the camera stands in degrees, from +x towards +y and "
-                "above the horizon (default -60,15), and whether it sees in perspective");
+                "above the horizon (default -60,15), and whether it sees in perspective; 0..360,15 "
+                "goes around the figure, in an animation");
     verb.option("--light", light, command::light, "AZIMUTH,ELEVATION",
                 "of figures in space: where the light comes from (default: over the camera's left "
                 "shoulder)");
@@ -240,7 +262,7 @@ void draw_other(const Model& system, std::pair<std::uint64_t, std::uint64_t> gen
 ViewChoices view_choices(const SpaceOptions& options, const Model& system,
                          const std::optional<std::string>& background) {
     ViewChoices choices = view_choices(system.drawing);
-    if (options.camera) choices.camera = *options.camera;
+    if (options.camera) choices.camera = options.camera->camera;
     if (options.light) choices.light = *options.light;
     if (options.fog) choices.fog = *options.fog;
     if (background && *background != "transparent") choices.background = colour_named(*background);
@@ -263,12 +285,20 @@ PointLabel point_label(const std::string& option, const std::string& text) {
     return label;
 }
 
+std::vector<PointLabel> labels_of(const Drawing& drawing) {
+    std::vector<PointLabel> found;
+    for (const Drawing::Label& label : drawing.labels)
+        found.push_back(
+            {label.text, {label.place.x.value, label.place.y.value, label.place.z.value}});
+    return found;
+}
+
 std::string named_format(const std::string& output, const std::string& format) {
     if (!format.empty()) return "figure." + format;
     if (output == "-")
         throw Error(
-            "-o -: say which format with --format: svg, pdf, png, ps, eps, gif, webp, tex, typ, "
-            "csv, geojson, dxf, html, " +
+            "-o -: say which format with --format: svg, pdf, png, ps, eps, gif, webp, mp4, webm, "
+            "tex, typ, csv, geojson, dxf, html, " +
             mesh_format_names());
     return output;
 }
@@ -310,6 +340,27 @@ FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::ui
     Model painted = system;
     if (!choices.colours.empty()) painted.drawing.colours = choices.colours;
     const ViewChoices view_of = view_choices(choices.space, system, choices.background);
+    if (choices.space.turns()) {
+        if (generations.first != generations.second || many_seeds_)
+            throw Error("--camera " + rounded_decimal(choices.space.camera->camera.azimuth, 6) +
+                        ".." + rounded_decimal(*choices.space.camera->last, 6) +
+                        ": goes around one figure, found several; expected one generation, -n N, "
+                        "and one seed");
+        const auto seed = seeds ? std::optional(seeds->first) : std::nullopt;
+        const SpaceDerivation found = scene(painted, generations.first, budget,
+                                            {seed, choices.tables, choices.seeds.has_value()},
+                                            external_environment(choices.environment, system));
+        auto views = turned_views(found, style_of(painted.drawing), view_of,
+                                  choices.space.camera->stations(), budget);
+        for (std::unique_ptr<Figure>& view : views) {
+            FigurePlate& plate = figures.emplace_back();
+            plate.generation = generations.first;
+            plate.seed = seed;
+            plate.name = "generation " + std::to_string(generations.first) + " of " + system.name;
+            plate.figure = std::move(view);
+        }
+        return;
+    }
     const auto view = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
         SpaceDerivation found =
             scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()},
@@ -517,9 +568,9 @@ PictureFormat picture_of(const std::string& named) {
         return picture_format(named);
     } catch (const Error& error) {
         throw Error(std::string(error.what()) +
-                    "; an animation ends in .gif or .webp, a figure as text in .tex, .typ, .csv, "
-                    ".geojson, .dxf or .html, a figure in space in .glb, .obj, .ply, .stl, .x3d or "
-                    ".wrl, or say --format vrml1");
+                    "; an animation ends in .gif, .webp, .mp4 or .webm, a figure as text in .tex, "
+                    ".typ, .csv, .geojson, .dxf or .html, a figure in space in .glb, .obj, .ply, "
+                    ".stl, .x3d, .wrl or .pov, or say --format vrml1");
     }
 }
 
@@ -550,6 +601,20 @@ Scene scene_of(const Generator& generator, MeshFormat format, const Budget& budg
 Drawn draw_plates(std::span<const Plate> plates, const std::string& output, PictureFormat format,
                   const PictureOptions& picture, const Budget& budget, Progress* progress) {
     const Target target = target_of(output);
+    // As text an svg is smaller, and leaves out what is hidden.
+    std::uint64_t strokes = 0;
+    for (const Plate& plate : plates)
+        strokes += std::min(plate.figure->strokes().value_or(picture.most_strokes + 1),
+                            picture.most_strokes + 1);
+    if (format == PictureFormat::svg && picture.route == PictureOptions::Route::automatic &&
+        strokes <= picture.most_strokes) {
+        std::vector<FigureSource> sources;
+        for (const Plate& plate : plates) sources.push_back({plate});
+        FigureTextDrawn drawn = draw_as_text(sources, target, FigureFormat::svg,
+                                             {picture, false, plates.size() > 1}, budget, progress);
+        return {drawn.width, drawn.height, drawn.strokes + drawn.polygons, drawn.polygons,
+                false,       false,        std::move(drawn.blank)};
+    }
     return plates.size() == 1
                ? draw_picture(plates.front(), target, format, picture, budget, progress)
                : draw_panels(plates, target, format, picture, budget, progress);

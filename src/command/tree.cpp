@@ -357,10 +357,11 @@ void add_tree(Verbs& verbs) {
     verb.flag("--families", options.families, "instead: the diagram of families of languages");
     verb.output("-o,--output", options.output, "FILE",
                 "the picture: .svg, .pdf, .png, .ps or .eps; .tex for LaTeX, trees by its package "
-                "forest; .dot or .gv for Graphviz; .gif or .webp for Rauzy graphs, one after the "
-                "other; - for standard output")
+                "forest; .dot or .gv for Graphviz; .gif, .webp, .mp4 or .webm for Rauzy graphs, "
+                "one after "
+                "the other; - for standard output")
         .required = true;
-    verb.option("--format", options.format, "svg|pdf|png|ps|eps|tex|dot|gv|gif|webp",
+    verb.option("--format", options.format, "svg|pdf|png|ps|eps|tex|dot|gv|gif|webp|mp4|webm",
                 "the format, where the name does not say it");
     verb.flag("--dag", options.shared, "equal subtrees of one generation are drawn once");
     verb.option("--depth", options.depth, natural, "D",

@@ -131,6 +131,14 @@ struct Drawing {
     std::optional<std::uint64_t> columns;  // `columns 3`: panels in a row; as many as suit
     std::optional<bool> common_scale;      // `common-scale yes`: of panels; where it suits
     std::string picture;                   // `picture tree`: one of picture_kinds(); figure
+    /// A text at a point: `label 0 1 B`, in space `label (0, 0, 2) top`.
+    struct Label {
+        Triple place;           // z is 0 where the file gives two coordinates
+        bool in_space = false;  // whether it gives three
+        std::string text;
+        bool operator==(const Label&) const = default;
+    };
+    std::vector<Label> labels;
 
     bool operator==(const Drawing&) const = default;
 };

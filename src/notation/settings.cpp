@@ -384,6 +384,29 @@ void read_surface(const Clause& clause, Reading& reading) {
     reading.drawing.surfaces.push_back(std::move(surface));
 }
 
+/// Two coordinates or a point of space, then the text.
+void read_label(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
+    const auto parts = pieces(value);
+    Drawing::Label label;
+    std::size_t used = 2;
+    if (parts[0].front() == '(' && parts[0].find(',') != std::string_view::npos) {
+        const char* here = parts[0].data();
+        const char* const end = here + parts[0].size();
+        label.place = point_at(here, end, reading);
+        if (here != end) throw unexpected("a blank and the text", here);
+        label.in_space = true;
+        used = 1;
+    }
+    if (parts.size() <= used)
+        throw unexpected("a point and a text, such as 'label 0 1 B' or 'label (0,0,2) top'",
+                         end_of(clause));
+    if (!label.in_space)
+        label.place = {quantity_of(parts[0], reading), quantity_of(parts[1], reading), {}};
+    label.text = between(parts[used].data(), end_of(clause));
+    reading.drawing.labels.push_back(std::move(label));
+}
+
 /// So many numbers, and no more than that; `what` is for messages.
 std::vector<Quantity> numbers_of(const Clause& clause, std::size_t count, const char* what,
                                  Reading& reading) {
@@ -622,6 +645,22 @@ Values print_camera(const Printing& printing) {
     if (camera->perspective) parts.emplace_back("perspective");
     if (camera->opening) parts.push_back(piece(*camera->opening));
     return {joined(parts, " ")};
+}
+
+Values print_labels(const Printing& printing) {
+    Values out;
+    for (const Drawing::Label& label : printing.drawing.labels) {
+        const Triple& at = label.place;
+        out.push_back((label.in_space
+                           ? '(' +
+                                 joined({to_text(at.x.expression), to_text(at.y.expression),
+                                         to_text(at.z.expression)},
+                                        ", ") +
+                                 ')'
+                           : piece(at.x) + ' ' + piece(at.y)) +
+                      ' ' + label.text);
+    }
+    return out;
 }
 
 Values print_range(const std::optional<std::pair<std::uint64_t, std::uint64_t>>& range) {
@@ -888,7 +927,8 @@ const std::vector<Setting>& settings() {
           {"colour black red"},
           "names or `#rrggbb`, `'` goes on to the next; `along`, `viridis` and `cividis` run with "
           "the word: "
-          "a circle of hues, and two scales from dark to light",
+          "a circle of hues, and two scales from dark to light; `currentColor` is that of the text "
+          "around an svg, and black elsewhere",
           "black",
           colour_words()},
          other,
@@ -984,6 +1024,12 @@ const std::vector<Setting>& settings() {
              const auto& common = p.drawing.common_scale;
              return {!common ? "" : *common ? "yes" : "no"};
          }},
+        {{"label", {"label 0 1 B", "label (0,0,2) top"}, "a text at a point of the figure", ""},
+         other,
+         repeats,
+         outside,
+         read_label,
+         print_labels},
         {{"expect",
           {"expect segments 4: 768"},
           "what must come out in a generation; [below](#expectations)",

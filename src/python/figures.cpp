@@ -213,6 +213,9 @@ PictureOptions options_of(const Wishes& wishes, const Model& model) {
     options.common_scale = wishes.common_scale;
     options.title = model.title;
     options.source = model.source;
+    for (const Drawing::Label& label : model.drawing.labels)
+        options.labels.push_back(
+            {label.text, {label.place.x.value, label.place.y.value, label.place.z.value}});
     return options;
 }
 

@@ -1,19 +1,32 @@
 #include <cairo.h>
+#include <fcntl.h>
 #include <gif_lib.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <webp/encode.h>
 #include <webp/mux.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <new>
+#include <numeric>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "exact/exact.hpp"
@@ -23,7 +36,7 @@
 #include "render/detail/graph.hpp"
 #include "render/render.hpp"
 
-// Animations: a film of frames that all have one size, packed as gif or webp.
+// Animations: a film of frames that all have one size, packed as gif, webp, mp4 or webm.
 //
 // Every plate is drawn by Cairo as a png would be, and the film keeps the least rectangle in which a frame differs from the one
 // before it. All frames are drawn and packed before there is a file.
@@ -34,6 +47,10 @@
 // each time the group with the largest squared error where its values are spread widest (Wan, Wong and Prusinkiewicz 1988). A
 // colour counts by the square root of its number, so that thin lines keep theirs. The table depends on how many pixels have which
 // colour, not on their order: equal figures make equal files.
+//
+// A video is packed by the program ffmpeg, in a process of its own: it reads the frames from a socket, each as often as its time is a
+// multiple of the shortest one, and writes to a file without a name, as an mp4 is not written from front to back. What the file holds
+// then goes out like that of the other formats. The process ends with the work, whatever ends it.
 //
 // Subtle: giflib calls back to write, and an exception must not pass through it; it waits in the sink. Times are hundredths of a
 // second, the unit of gif; a webp counts milliseconds from the start, which has a bound (2,000,000 seconds).
@@ -476,6 +493,211 @@ void write_webp(const Film& film, std::span<const std::uint32_t> hundredths, std
     output.write(reinterpret_cast<const char*>(file.bytes), file.size);
 }
 
+/// A file without a name, which is gone when this is.
+class UnnamedFile {
+public:
+    UnnamedFile() {
+        const char* const folder = std::getenv("TMPDIR");
+        std::string name = std::string(folder && *folder ? folder : "/tmp") + "/algae-XXXXXX";
+        descriptor = mkostemp(name.data(), O_CLOEXEC);
+        if (descriptor < 0)
+            throw Error("cannot write a temporary file in " + name.substr(0, name.rfind('/')) +
+                        ": " + std::strerror(errno) + "; TMPDIR names another folder");
+        unlink(name.c_str());
+    }
+    UnnamedFile(const UnnamedFile&) = delete;
+    UnnamedFile& operator=(const UnnamedFile&) = delete;
+    ~UnnamedFile() { close(descriptor); }
+
+    /// Gives its bytes, from the first on, to `take`.
+    template <class Take>
+    void read_all(Take take) const {
+        std::vector<char> bytes(1 << 16);
+        off_t at = 0;
+        for (;;) {
+            const ssize_t got = pread(descriptor, bytes.data(), bytes.size(), at);
+            if (got < 0 && errno == EINTR) continue;
+            if (got < 0)
+                throw Error(std::string("cannot read a temporary file: ") + std::strerror(errno));
+            if (got == 0) return;
+            take(bytes.data(), static_cast<std::size_t>(got));
+            at += got;
+        }
+    }
+
+    int descriptor = -1;
+};
+
+/// Whether a program of this name can be started.
+bool is_on_path(const std::string& program) {
+    const char* const path = std::getenv("PATH");
+    std::string rest = path ? path : "/usr/bin:/bin";
+    for (std::size_t from = 0; from <= rest.size();) {
+        const std::size_t to = std::min(rest.find(':', from), rest.size());
+        const std::string folder = to > from ? rest.substr(from, to - from) : ".";
+        if (access((folder + '/' + program).c_str(), X_OK) == 0) return true;
+        from = to + 1;
+    }
+    return false;
+}
+
+/// A running ffmpeg that reads frames; it is killed where this ends before `finish`.
+class Encoder {
+public:
+    /// The arguments without the name of the program. `output` is its descriptor 3.
+    Encoder(std::vector<std::string> arguments, const UnnamedFile& output) {
+        int ends[2];
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+            throw Error(std::string("cannot start ffmpeg: ") + std::strerror(errno));
+        ours_ = ends[0];
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_adddup2(&actions, ends[1], 0);
+        posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_adddup2(&actions, said_.descriptor, 2);
+        posix_spawn_file_actions_adddup2(&actions, output.descriptor, 3);
+        arguments.insert(arguments.begin(), "ffmpeg");
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments) pointers.push_back(argument.data());
+        pointers.push_back(nullptr);
+        const int problem =
+            posix_spawnp(&process_, "ffmpeg", &actions, nullptr, pointers.data(), environ);
+        posix_spawn_file_actions_destroy(&actions);
+        close(ends[1]);
+        if (problem != 0) {
+            close(ours_);
+            throw Error(std::string("cannot start ffmpeg: ") + std::strerror(problem));
+        }
+    }
+    Encoder(const Encoder&) = delete;
+    Encoder& operator=(const Encoder&) = delete;
+    ~Encoder() {
+        if (ours_ >= 0) close(ours_);
+        if (process_ <= 0) return;
+        kill(process_, SIGKILL);
+        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
+    }
+
+    /// False if ffmpeg reads no more: `finish` says why.
+    bool send_all(const char* bytes, std::size_t count, const Budget& budget) {
+        while (count > 0) {
+            budget.check();
+            pollfd ready{ours_, POLLOUT, 0};
+            if (poll(&ready, 1, 50) == 0) continue;  // it may be slow, and we may be told to stop
+            const ssize_t sent = send(ours_, bytes, std::min<std::size_t>(count, 1 << 20),
+                                      MSG_NOSIGNAL | MSG_DONTWAIT);
+            if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+            if (sent < 0) return false;
+            bytes += sent;
+            count -= static_cast<std::size_t>(sent);
+        }
+        return true;
+    }
+
+    /// Waits for its end. Throws Error, with the last line that it said, unless all went well.
+    void finish(const Budget& budget) {
+        close(ours_);
+        ours_ = -1;
+        int status = 0;
+        for (;;) {
+            const pid_t ended = waitpid(process_, &status, WNOHANG);
+            if (ended == process_) break;
+            if (ended < 0 && errno != EINTR) break;
+            budget.check();
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        process_ = 0;
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+        constexpr std::size_t most = 300;
+        std::string said;
+        said_.read_all([&](const char* bytes, std::size_t count) { said.append(bytes, count); });
+        while (!said.empty() && said.back() == '\n') said.pop_back();
+        std::string last = said.substr(said.rfind('\n') + 1).substr(0, most);
+        for (char& c : last)
+            if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+        throw Error("ffmpeg could not pack the video" +
+                    (last.empty() ? std::string(", and says no reason") : ": " + last));
+    }
+
+private:
+    UnnamedFile said_;
+    pid_t process_ = 0;
+    int ours_ = -1;
+};
+
+/// How ffmpeg packs: sharp edges of few colours want a higher quality than films.
+std::vector<std::string> codec_of(AnimationFormat format) {
+    if (format == AnimationFormat::mp4)
+        return {"-c:v",  "libx264",   "-preset",   "medium",     "-crf", "18",
+                "-tune", "animation", "-movflags", "+faststart", "-f",   "mp4"};
+    return {"-c:v",      "libvpx-vp9", "-crf",      "24", "-b:v", "0",
+            "-deadline", "good",       "-cpu-used", "2",  "-f",   "webm"};
+}
+
+/// Writes an opaque film as a video. Sides become even by a last row or column twice. Throws Error if ffmpeg fails.
+void write_video(const Film& film, std::span<const std::uint32_t> hundredths,
+                 AnimationFormat format, Output& output, const Budget& budget) {
+    std::uint32_t unit = 0;
+    for (const std::uint32_t time : hundredths) unit = std::gcd(unit, time);
+    unit = std::max<std::uint32_t>(1, unit);
+    const auto across = static_cast<std::size_t>(film.width),
+               down = static_cast<std::size_t>(film.height);
+    const std::size_t wide = across + across % 2, high = down + down % 2;
+    std::vector<std::string> arguments{"-hide_banner",
+                                       "-nostdin",
+                                       "-loglevel",
+                                       "error",
+                                       "-y",
+                                       "-f",
+                                       "rawvideo",
+                                       "-pix_fmt",
+                                       std::endian::native == std::endian::little ? "bgr0" : "0rgb",
+                                       "-video_size",
+                                       std::to_string(wide) + 'x' + std::to_string(high),
+                                       "-framerate",
+                                       "100/" + std::to_string(unit),
+                                       "-i",
+                                       "pipe:0",
+                                       "-an",
+                                       "-pix_fmt",
+                                       "yuv420p",
+                                       "-threads",
+                                       "1",
+                                       "-map_metadata",
+                                       "-1",
+                                       "-fflags",
+                                       "+bitexact",
+                                       "-flags:v",
+                                       "+bitexact"};
+    for (std::string& part : codec_of(format)) arguments.push_back(std::move(part));
+    arguments.emplace_back("/dev/fd/3");
+
+    const UnnamedFile packed;
+    Encoder encoder(std::move(arguments), packed);
+    std::vector<std::uint32_t> pixels, rows(wide * high);
+    bool goes_on = true;
+    for (std::size_t i = 0; i < film.frames.size() && goes_on; ++i) {
+        film.show(i, pixels);
+        for (std::size_t y = 0; y < high; ++y) {
+            const auto from =
+                pixels.begin() + static_cast<std::ptrdiff_t>(std::min(y, down - 1) * across);
+            const auto to = rows.begin() + static_cast<std::ptrdiff_t>(y * wide);
+            std::copy_n(from, across, to);
+            if (wide > across) to[static_cast<std::ptrdiff_t>(across)] = from[film.width - 1];
+        }
+        for (std::uint32_t shown = 0; shown < hundredths[i] && goes_on; shown += unit)
+            goes_on = encoder.send_all(reinterpret_cast<const char*>(rows.data()),
+                                       rows.size() * sizeof rows[0], budget);
+    }
+    encoder.finish(budget);
+    if (!goes_on) throw Error("ffmpeg ended before it had read all frames of the video");
+    packed.read_all([&](const char* bytes, std::size_t count) {
+        budget.check();
+        output.write(bytes, count);
+    });
+}
+
 constexpr double shortest_time = 0.02, longest_time = 600;  // seconds; programs slow down less
 
 std::uint32_t hundredths(const char* what, double seconds) {
@@ -501,7 +723,7 @@ std::vector<std::uint32_t> times(const AnimationTiming& timing, std::size_t fram
 }  // namespace
 
 std::optional<AnimationFormat> animation_format(std::string_view path) {
-    static constexpr std::array names{"gif", "webp"};
+    static constexpr std::array names{"gif", "webp", "mp4", "webm"};
     const auto found = format_of(names, path);
     if (!found || path.size() <= ending_of(path).size() + 1) return std::nullopt;
     return static_cast<AnimationFormat>(*found);
@@ -516,18 +738,27 @@ void write(const Film& frames, const Target& target, AnimationFormat format,
     write_to(target, [&](Output& output) {
         if (format == AnimationFormat::gif)
             write_gif(frames, hundredths, timing.plays, output, budget);
-        else
+        else if (format == AnimationFormat::webp)
             write_webp(frames, hundredths, timing.plays, output, budget);
+        else
+            write_video(frames, hundredths, format, output, budget);
     });
 }
 
 void check(AnimationFormat format, const std::optional<std::string>& background,
            const AnimationTiming& timing) {
     times(timing, 0);
-    if (format == AnimationFormat::gif && background == "transparent")
+    if (format != AnimationFormat::webp && background == "transparent")
         throw Error(
-            "a gif has no half-transparent pixels: expected a colour as its background, or "
-            "webp");
+            "a gif or a video has no half-transparent pixels: expected a colour as its background, "
+            "or webp");
+    if (format != AnimationFormat::mp4 && format != AnimationFormat::webm) return;
+    if (timing.plays != 0)
+        throw Error("a video does not say how often it is shown; gif and webp do");
+    if (!is_on_path("ffmpeg"))
+        throw Error(
+            "mp4 and webm are packed by the program ffmpeg, which is not on the PATH; expected it "
+            "there (Debian: apt-get install ffmpeg), or .gif or .webp");
 }
 
 }  // namespace

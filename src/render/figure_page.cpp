@@ -6,6 +6,7 @@
 
 #include "render/detail/document.hpp"
 #include "render/detail/figure_text.hpp"
+#include "render/detail/graph.hpp"
 #include "render/detail/palette.hpp"
 
 // Figures for browsers: an SVG document with names for its parts, and a page that shows figures and how they come to be.
@@ -13,6 +14,7 @@
 // SVG: the document has a title and a description, each figure is a group `figure-N`, within it is a group `figure-N-colour-K` wherever
 // a colour begins (-2, -3 where it comes again), and the strokes that follow each other in one colour, width and letter are a path whose
 // classes are `colour-N`, `width-N` and `letter-F`: a style sheet at the head says what these look like, and a person changes them there.
+// Where there are hundreds of colours, paths say their own.
 // Points are relative to the one before, in hundredths of a point, and errors do not add up, because each step goes to the rounded place of
 // the next point. That takes about ten bytes a stroke.
 //
@@ -69,10 +71,15 @@ void put(std::string& out, long long hundredths, bool joined) {
     if (rest % 10 > 0) out += static_cast<char>('0' + rest % 10);
 }
 
+/// More colours than these, as the light on a figure in space makes them, have no classes.
+constexpr std::size_t most_named_colours = 400;
+
 std::string classes(const PathStyle& style, bool filled, const std::vector<Colour>& colours,
                     const std::vector<double>& widths) {
-    std::string out =
-        "colour-" + std::to_string(std::ranges::find(colours, style.colour) - colours.begin() + 1);
+    std::string out = filled ? "area" : "stroke";
+    if (colours.size() <= most_named_colours)
+        out += " colour-" +
+               std::to_string(std::ranges::find(colours, style.colour) - colours.begin() + 1);
     if (!filled && widths.size() > 1)
         out +=
             " width-" + std::to_string(std::ranges::find(widths, style.width) - widths.begin() + 1);
@@ -410,6 +417,12 @@ private:
     std::optional<std::size_t> current_;
 };
 
+/// Whether this is the name that CSS has for the colour of the text around a picture. Everywhere else it is black.
+bool is_current_colour(std::string_view name) {
+    constexpr std::string_view wanted = "currentcolor";
+    return std::ranges::equal(name, wanted, {}, [](char c) { return c | 0x20; });
+}
+
 /// Writes a document part by part.
 class SvgWriter {
 public:
@@ -418,11 +431,14 @@ public:
 
     /// What stands before the figures. The styles of all of them are known then.
     void head() {
-        for (const PlacedFigure& figure : document_.figures)
+        for (const PlacedFigure& figure : document_.figures) {
             for (const PathStyle& style : figure.paths.styles) {
-                add_new(colours_, style.colour);
+                if (colours_.size() <= most_named_colours) add_new(colours_, style.colour);
                 add_new(widths_, style.width);
             }
+            for (const std::string& name : colours_of(*figure.source->plate.figure, plan_.options))
+                is_current_ = is_current_ || is_current_colour(name);
+        }
         const std::string wide = fixed_text(plan_.page.width, 3),
                           high = fixed_text(plan_.page.height, 3);
         out_ =
@@ -441,11 +457,13 @@ public:
                 std::string(document_.options->picture.flat_ends ? "butt" : "round") +
                 "; stroke-linejoin: round; stroke-width: " +
                 fixed_text(widths_.empty() ? 1 : widths_[0], 4) + " }\n";
-        for (std::size_t i = 0; i < colours_.size(); ++i) {
+        for (std::size_t i = 0; i < colours_.size() && is_named(); ++i) {
             const std::string name = ".colour-" + std::to_string(i + 1),
-                              hex = hex_colour(colours_[i]);
-            out_ += ".stroke" + name + " { stroke: " + hex + " }\n.area" + name +
-                    " { fill: " + hex + " }\n";
+                              ink = is_current_ && colours_[i] == Colour{}
+                                        ? "currentColor"
+                                        : hex_colour(colours_[i]);
+            out_ += ".stroke" + name + " { stroke: " + ink + " }\n.area" + name +
+                    " { fill: " + ink + " }\n";
         }
         for (std::size_t i = 0; i < widths_.size() && widths_.size() > 1; ++i)
             out_ += ".width-" + std::to_string(i + 1) +
@@ -465,7 +483,12 @@ public:
                                             0.114 * plan_.background->blue <
                                         0.5;
         out_ += "text { font-family: sans-serif; font-size: " + fixed_text(plan_.font_size, 3) +
-                "px; fill: " + (dark_ ? "#fff" : "#000") + " }\n</style>\n";
+                "px; fill: " + ink() + " }\n";
+        if (!plan_.options.labels.empty())  // a halo lets them be read on strokes
+            out_ += ".label { paint-order: stroke; stroke-linejoin: round; stroke: " +
+                    (plan_.background ? hex_colour(*plan_.background) : "#fff") +
+                    "; stroke-width: " + fixed_text(plan_.font_size / 4, 3) + " }\n";
+        out_ += "</style>\n";
         if (plan_.background)
             out_ += "<rect class=\"background\" width=\"" + wide + "\" height=\"" + high +
                     "\" fill=\"" + hex_colour(*plan_.background) + "\"/>\n";
@@ -483,8 +506,7 @@ public:
     }
     void begin_run(std::uint32_t number, bool filled) {
         const PathStyle& style = figure_->paths.styles[number];
-        out_ += groups_->before(style.colour) + "<path class=\"" + (filled ? "area " : "stroke ") +
-                classes(style, filled, colours_, widths_) + "\" d=\"";
+        begin_path(style, filled);
         flush();
     }
     void end_run(const SvgRun& run) {
@@ -496,10 +518,7 @@ public:
         const PlacedFigure& figure = *figure_;
         for (std::size_t i = 0; i < paths.size();) {
             const FigurePath& first = paths[i];
-            out_ += groups_->before(figure.paths.styles[first.style].colour) + "<path class=\"" +
-                    (first.filled ? "area " : "stroke ") +
-                    classes(figure.paths.styles[first.style], first.filled, colours_, widths_) +
-                    "\" d=\"";
+            begin_path(figure.paths.styles[first.style], first.filled);
             Steps steps(figure.cell.frame);
             do {
                 const FigurePath& path = paths[i];
@@ -531,25 +550,26 @@ public:
     /// What stands behind the strokes of a figure.
     void end_figure() {
         const PlacedFigure& figure = *figure_;
-        out_ += groups_->after();
+        if (is_named()) out_ += groups_->after();
         if (figure.in_units) out_ += "</g>\n";
         for (const PointLabel& label : plan_.options.labels)
             if (const auto place = figure.source->plate.figure->place(label.place)) {
-                const Point at = figure.cell.frame(*place);
-                out_ += "<text class=\"label\" x=\"" + fixed_text(at.x + plan_.font_size / 4, 2) +
-                        "\" y=\"" + fixed_text(at.y - plan_.font_size / 4, 2) + "\">" +
-                        escaped_markup(label.text) + "</text>\n";
+                const Point at =
+                    label_corner(plan_, figure.cell.frame(*place),
+                                 text_width(label.text, "", GraphFont{plan_.font_size, false}));
+                out_ += "<text class=\"label\" x=\"" + fixed_text(at.x, 2) + "\" y=\"" +
+                        fixed_text(at.y, 2) + "\">" + escaped_markup(label.text) + "</text>\n";
             }
         double below = figure.cell.caption_top;
         if (plan_.options.scale_bar) {
             const double length = scale_bar_length(figure.cell.width / figure.cell.frame.scale);
             const double x = figure.cell.left, y = below + 0.9 * plan_.font_size,
                          end = x + length * figure.cell.frame.scale, tick = plan_.font_size / 4;
-            out_ += "<path class=\"scale-bar\" fill=\"none\" stroke=\"" +
-                    std::string(dark_ ? "#fff" : "#000") + "\" d=\"M" + fixed_text(x, 2) + " " +
-                    fixed_text(y - tick, 2) + "v" + fixed_text(2 * tick, 2) + "m0-" +
-                    fixed_text(tick, 2) + "H" + fixed_text(end, 2) + "m0-" + fixed_text(tick, 2) +
-                    "v" + fixed_text(2 * tick, 2) + "\"/>\n<text x=\"" +
+            out_ += "<path class=\"scale-bar\" fill=\"none\" stroke=\"" + ink() + "\" d=\"M" +
+                    fixed_text(x, 2) + " " + fixed_text(y - tick, 2) + "v" +
+                    fixed_text(2 * tick, 2) + "m0-" + fixed_text(tick, 2) + "H" +
+                    fixed_text(end, 2) + "m0-" + fixed_text(tick, 2) + "v" +
+                    fixed_text(2 * tick, 2) + "\"/>\n<text x=\"" +
                     fixed_text(end + plan_.font_size / 2, 2) + "\" y=\"" +
                     fixed_text(y + 0.35 * plan_.font_size, 2) + "\">" +
                     rounded_decimal(length, 10) + "</text>\n";
@@ -585,7 +605,19 @@ private:
     std::string out_;
     std::vector<Colour> colours_;
     std::vector<double> widths_;
-    bool dark_ = false;  // the background
+    bool is_named() const { return colours_.size() <= most_named_colours; }
+    void begin_path(const PathStyle& style, bool filled) {
+        if (is_named()) out_ += groups_->before(style.colour);
+        out_ += "<path class=\"" + classes(style, filled, colours_, widths_) + '"';
+        if (!is_named())
+            out_ += (filled ? " fill=\"" : " stroke=\"") + hex_colour(style.colour) + '"';
+        out_ += " d=\"";
+    }
+    /// Of texts and bars.
+    std::string ink() const { return is_current_ ? "currentColor" : dark_ ? "#fff" : "#000"; }
+
+    bool dark_ = false;        // the background
+    bool is_current_ = false;  // black is the colour of the text around the picture
     const PlacedFigure* figure_ = nullptr;
     std::optional<ColourGroups> groups_;
 };

@@ -448,6 +448,8 @@ FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target
             continue;
         }
         placed.paths = paths_of(figures[i], colours, placed.width, placed.cell.frame.scale, budget);
+        if (figure.is_layered() && laid_out && !options.plotter)
+            leave_out_hidden(placed.paths, placed.cell, budget);
         if (options.plotter) {
             drawn.travelled += travel_of(placed.paths);
             const double size = std::max(figure.box().breadth(), figure.box().height());

@@ -40,7 +40,7 @@ namespace algae {
 
 namespace {
 
-constexpr std::array names{"glb", "obj", "ply", "stl", "x3d", "wrl", "vrml1"};
+constexpr std::array names{"glb", "obj", "ply", "stl", "x3d", "wrl", "vrml1", "pov"};
 
 }  // namespace
 
@@ -352,9 +352,7 @@ Scene coloured(Scene scene, const std::vector<std::string>& colours) {
     return scene;
 }
 
-bool is_scene_graph(MeshFormat format) {
-    return format == MeshFormat::x3d || format == MeshFormat::wrl || format == MeshFormat::vrml1;
-}
+bool is_scene_graph(MeshFormat format) { return format >= MeshFormat::x3d; }
 
 /// A scene ready to be written.
 class Prepared {
@@ -367,7 +365,7 @@ public:
             background_of(choices.background, PictureFormat::png).value_or(Colour{1, 1, 1});
         const Scene painted = coloured(scene, choices.colours);
         if (is_scene_graph(format)) {
-            graph_ = scene_graph(painted, choices.mesh, choices.camera, budget);
+            graph_ = scene_graph(painted, choices.mesh, choices.camera, choices.light, budget);
             graph_.background = background;
             if (graph_.box.empty) throw Error(scene.name + " draws nothing");
             drawn = {graph_.vertices, graph_.triangles, graph_.bodies.size(), graph_.strokes,
@@ -387,6 +385,8 @@ public:
             write_vrml97(graph_, output, budget_);
         else if (format_ == MeshFormat::vrml1)
             write_vrml1(graph_, output, budget_);
+        else if (format_ == MeshFormat::pov)
+            write_pov(graph_, output, budget_);
         else
             output.write(files.main.data(), files.main.size());
     }

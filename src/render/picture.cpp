@@ -173,6 +173,12 @@ PictureFormat picture_format(std::string_view path) {
                 std::string(path) + "\"");
 }
 
+Point label_corner(const Plan& plan, Point at, double width) {
+    return {std::clamp(at.x + plan.font_size / 4, 0.0, std::max(0.0, plan.page.width - width)),
+            std::clamp(at.y - plan.font_size / 4, plan.font_size,
+                       std::max(plan.font_size, plan.page.height))};
+}
+
 double scale_bar_length(double breadth) {
     const double goal = breadth / 4, power = std::pow(10, std::floor(std::log10(goal)));
     const double times = goal / power;
@@ -325,11 +331,16 @@ void draw_label(cairo_t* context, const Plan& plan, const Cell& cell, const Figu
     cairo_save(context);
     choose_ink(context, plan.background);
     choose_font(context, "sans-serif", plan.font_size);
-    // To the right of the point and above it, as far as the picture reaches.
-    const double x = std::clamp(at.x + plan.font_size / 4, 0.0,
-                                std::max(0.0, plan.page.width - text_width(context, label.text)));
-    const double y = std::clamp(at.y - plan.font_size / 4, plan.font_size,
-                                std::max(plan.font_size, plan.page.height));
+    const auto [x, y] = label_corner(plan, at, text_width(context, label.text));
+    // A halo lets it be read on strokes.
+    const Colour paper = plan.background.value_or(Colour{1, 1, 1});
+    cairo_move_to(context, x, y);
+    cairo_text_path(context, label.text.c_str());
+    cairo_set_line_width(context, plan.font_size / 4);
+    cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_source_rgb(context, paper.red, paper.green, paper.blue);
+    cairo_stroke(context);
+    choose_ink(context, plan.background);
     show_text(context, label.text, x, y);
     cairo_restore(context);
 }

@@ -257,7 +257,12 @@ FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target
                              FigureFormat format, const FigureTextOptions& options,
                              const Budget& budget, Progress* progress = nullptr);
 
-enum class AnimationFormat { gif, webp };
+enum class AnimationFormat {
+    gif,
+    webp,
+    mp4,   // H.264, by the program ffmpeg
+    webm,  // VP9, likewise
+};
 
 /// The animation format that the extension of a file name stands for, in any case; nothing for other extensions.
 ///
@@ -276,10 +281,11 @@ struct AnimationTiming {
 /// shows its figure as large as possible; with the option common_scale all frames show the same part of the
 /// plane, so that figures grow in place. Files appear complete or not at all, and equal figures make equal
 /// files. A webp has exactly the pixels of a png; a gif does too if all frames together have at most
-/// 256 colours, otherwise it has the 256 most similar ones.
+/// 256 colours, otherwise it has the 256 most similar ones. An mp4 and a webm are videos, which the program ffmpeg packs: their sides
+/// are even, they are played once or as often as the player likes, and their bytes are those of that version of ffmpeg.
 ///
-/// Throws Error if options are out of range, if a gif has a transparent background, if no figure draws anything,
-/// or if the file cannot be written; BoundReached if the frames take more memory than the budget has,
+/// Throws Error if options are out of range, if a gif or a video has a transparent background, if no figure draws anything,
+/// if a video is asked for and there is no ffmpeg or it fails, or if the file cannot be written; BoundReached if the frames take more memory than the budget has,
 /// or after its deadline; Interrupted. O(strokes + frames * pixels) time.
 Drawn draw_animation(std::span<const Plate> plates, const Target& target, AnimationFormat format,
                      const PictureOptions& options, const AnimationTiming& timing,
@@ -536,6 +542,7 @@ enum class MeshFormat {
     x3d,    // X3D 3.3 as XML
     wrl,    // VRML97
     vrml1,  // VRML 1.0
+    pov,    // a scene for POV-Ray 3.7, with light, shadows and a camera
 };
 
 /// The mesh format that the extension of a file name stands for, in any case; nothing for other extensions.
@@ -549,7 +556,7 @@ std::optional<MeshFormat> mesh_format(std::string_view path);
 /// Example: mesh_format_name(MeshFormat::wrl) == std::string("wrl")
 const char* mesh_format_name(MeshFormat format);
 
-/// The names of all: "glb, obj, ply, stl, x3d, wrl or vrml1".
+/// The names of all: "glb, obj, ply, stl, x3d, wrl, vrml1 or pov".
 std::string mesh_format_names();
 
 /// How a scene is written.
@@ -557,9 +564,11 @@ struct MeshChoices {
     MeshOptions mesh;
     /// Instead of the scene's own list: names or `#rrggbb`. If both are empty, everything is gray.
     std::vector<std::string> colours;
-    /// The first viewpoint of x3d, wrl and vrml1, always in perspective.
+    /// The first viewpoint of x3d, wrl, vrml1 and pov, always in perspective.
     Camera camera;
-    /// Behind the scene in x3d, wrl and vrml1; white by default.
+    /// Of pov; none: over the camera's left shoulder.
+    std::optional<Light> light;
+    /// Behind the scene in x3d, wrl, vrml1 and pov; white by default.
     std::optional<std::string> background;
 };
 
@@ -577,10 +586,11 @@ struct MeshDrawn {
 /// has no materials.
 ///
 /// A unit of the figure is a unit of the file (in glb a metre). In ply and stl z is up. In glb, obj, x3d,
-/// wrl and vrml1 y is up: there (x, y, z) becomes (x, z, -y), so that a tree stands upright. A figure
+/// wrl, vrml1 and pov y is up: there (x, y, z) becomes (x, z, -y), so that a tree stands upright. A figure
 /// of the plane keeps x and y and faces the reader. In glb and obj each colour is a material, in ply
-/// vertices have colours, stl has no colours. x3d, wrl and vrml1 contain a scene graph, in which
-/// solids stay solids.
+/// vertices have colours, stl has no colours. x3d, wrl, vrml1 and pov contain a scene graph, in which
+/// solids stay solids. What POV-Ray renders of a pov stands on a ground of the colour of the background, in soft shadows; the
+/// file says how both are left out.
 ///
 /// Throws what mesh_of throws, Error if a colour is unknown or the file cannot be written,
 /// BoundReached if writing takes more memory than the budget has; then no file appears.

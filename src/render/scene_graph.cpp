@@ -35,13 +35,19 @@ public:
     SceneBuilder(const Scene& scene, const MeshOptions& options, const Budget& budget)
         : scene_(scene), options_(options), budget_(budget), upright_(is_in_space(box_of(scene))) {}
 
-    SceneGraph built(const Camera& camera) {
+    SceneGraph built(const Camera& camera, const std::optional<Light>& light) {
         graph_.title = scene_.name;
+        graph_.upright = upright_;
         graph_.crease = options_.crease * std::numbers::pi / 180;
         const Scene thick = without_lines();
         if (!thick.rods.empty() || !thick.faces.empty() || !thick.solids.empty()) add_shapes(thick);
         add_lines();
         look(camera);
+        if (light) {
+            const Turn around = turn_by(light->azimuth), above = turn_by(light->elevation);
+            graph_.light =
+                placed({-above.cosine * around.cosine, -above.cosine * around.sine, -above.sine});
+        }
         return std::move(graph_);
     }
 
@@ -263,8 +269,8 @@ AxisTurn turn_to(const Vector& x, const Vector& y, const Vector& z) {
 }
 
 SceneGraph scene_graph(const Scene& scene, const MeshOptions& options, const Camera& camera,
-                       const Budget& budget) {
-    return SceneBuilder(scene, options, budget).built(camera);
+                       const std::optional<Light>& light, const Budget& budget) {
+    return SceneBuilder(scene, options, budget).built(camera, light);
 }
 
 }  // namespace algae

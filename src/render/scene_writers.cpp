@@ -1,23 +1,28 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "exact/exact.hpp"
 #include "render/detail/document.hpp"
 #include "render/detail/scene_graph.hpp"
 
-// The three texts of a scene graph: VRML97 (ISO/IEC 14772-1:1997), VRML 1.0 (Bell, Parisi and Pesce 1995) and X3D 3.3 in XML
-// (ISO/IEC 19776-1, profile Interchange). They differ in words, not in what they say: head, viewpoints, light, then bodies,
-// surfaces and lines.
+// The texts of a scene graph: VRML97 (ISO/IEC 14772-1:1997), VRML 1.0 (Bell, Parisi and Pesce 1995), X3D 3.3 in XML
+// (ISO/IEC 19776-1, profile Interchange) and scenes for POV-Ray 3.7. They differ in words, not in what they say: head, viewpoints, light,
+// then bodies, surfaces and lines.
 //
 // Numbers are of single precision in the fewest digits, and 0 has no sign, so that equal scenes make equal files. A colour is
 // defined where it is first used and referred to by its name afterwards (but for lines in VRML 1.0). Bodies and surfaces have it as
 // the light falls on them, lines as light of their own. The text goes out in pieces of 64 kB, and each piece asks the budget.
 //
 // Subtle: VRML 1.0 has a state that later shapes inherit, so every shape stands in a Separator with its absolute place; a
-// Separator around the movements of a module alone would undo them at its end. Commas count as blanks in VRML97 and in XML.
+// Separator around the movements of a module alone would undo them at its end. Commas count as blanks in VRML97 and in XML. POV-Ray
+// smooths nothing by itself, so corners of its surfaces have normals: the mean of the triangles around a point that meet at less than
+// the crease. Its lines are thin rods. Its first viewpoint is its camera, given by vectors, which makes its axes right-handed.
 
 namespace algae {
 
@@ -316,6 +321,203 @@ public:
     }
 };
 
+/// The normals of the corners of a surface, three for each triangle: of length 1, and smooth where triangles meet at less than the
+/// crease.
+std::vector<std::array<Vector, 3>> corner_normals(const SceneGraph::Surface& surface,
+                                                  double crease) {
+    const std::size_t count = surface.triangles.size();
+    std::vector<Vector> areas(count);  // across each triangle, as long as twice its area
+    std::vector<std::uint32_t> first(surface.points.size() + 1, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& [a, b, c] = surface.triangles[i];
+        areas[i] =
+            cross(surface.points[b] - surface.points[a], surface.points[c] - surface.points[a]);
+        for (const std::uint32_t point : surface.triangles[i]) ++first[point + 1];
+    }
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    std::vector<std::uint32_t> around(3 * count), filled(first.begin(), first.end() - 1);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (const std::uint32_t point : surface.triangles[i]) around[filled[point]++] = i;
+    const double least = std::cos(crease);
+    std::vector<std::array<Vector, 3>> normals(count);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t point = surface.triangles[i][k];
+            const Vector own = unit(areas[i]);
+            Vector sum;
+            for (std::uint32_t at = first[point]; at < first[point + 1]; ++at)
+                if (dot(unit(areas[around[at]]), own) >= least) sum = sum + areas[around[at]];
+            normals[i][k] = length(sum) > 0 ? unit(sum) : length(own) > 0 ? own : Vector{0, 1, 0};
+        }
+    return normals;
+}
+
+class Pov : public SceneText<Pov> {
+public:
+    Pov(const SceneGraph& graph, Output& output, const Budget& budget)
+        : SceneText(graph, output, budget), line_radius_(graph.box.diagonal() / 500) {
+        double all = 0;
+        std::size_t strokes = 0;
+        for (const SceneGraph::Lines& lines : graph.lines) {
+            std::size_t at = 0;
+            for (const std::uint32_t count : lines.strokes) {
+                for (std::uint32_t i = 1; i < count; ++i, ++strokes)
+                    all += length(lines.points[at + i] - lines.points[at + i - 1]);
+                at += count;
+            }
+        }
+        if (strokes > 0)
+            line_radius_ = std::min(line_radius_, all / static_cast<double>(strokes) / 4);
+    }
+
+    void write() {
+        std::string title = graph_.title;
+        for (char& c : title)
+            if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+        put("// {}\n// For POV-Ray 3.7: povray +W1600 +H1200 +A0.1 +AM2 FILE. It draws soft "
+            "shadows, "
+            "and "
+            "the light of the sky;\n// Declare=Soft=0 leaves them out, Declare=Ground=0 the "
+            "ground, and +WT1 makes equal bytes each time.\n#version 3.7;\n#ifndef (Soft) "
+            "#declare Soft = 1; #end\n#ifndef (Ground) #declare Ground = {}; #end\n",
+            title, graph_.upright ? 1 : 0);
+        put("global_settings {{ assumed_gamma 1.0 max_trace_level 8\n  #if (Soft) radiosity {{ "
+            "pretrace_start 0.08 pretrace_end 0.01 count 120 nearest_count 8 error_bound 0.5 "
+            "recursion_limit 2 brightness 0.7 }} #end\n}}\n"
+            "#default {{ finish {{ ambient #if (Soft) 0 #else 0.25 #end diffuse 0.75 }} }}\n"
+            "background {{ ");
+        paint(graph_.background);
+        const SceneGraph::Viewpoint& view = graph_.viewpoints.front();
+        put(" }}\ncamera {{\n  location ");
+        triple(view.place);
+        put("\n  up ");
+        triple(turned(view.turn, {0, 1, 0}));
+        put("\n  right ");
+        triple(turned(view.turn, {1, 0, 0}));
+        put(" * image_width / image_height\n  direction ");
+        triple(turned(view.turn, {0, 0, -1}));
+        put(" * {} * min(1, image_width / image_height)\n}}\n",
+            single(0.5 / std::tan(view.opening / 2)));
+        const double reach = std::max(graph_.box.diagonal(), 1e-6);
+        const Vector low = graph_.box.low, high = graph_.box.high, middle = 0.5 * (low + high);
+        const Vector center = graph_.upright ? Vector{middle.x, middle.z, -middle.y} : middle;
+        put("light_source {{\n  ");
+        triple(center - (8 * reach) * graph_.light);
+        put(", rgb 1\n  #if (Soft) area_light <{0}, 0, 0>, <0, 0, {0}>, 9, 9 adaptive 2 circular "
+            "orient #end\n}}\n",
+            single(2.5 * reach));
+        // A ground that fades into what is behind it, so that there is no horizon.
+        const double level = low.z - 1e-4 * reach;
+        put("#if (Ground) disc {{\n  <{0}, {1}, {2}>, y, {3}\n  pigment {{ spherical scale {3} "
+            "translate <{0}, {1}, {2}> color_map {{ [0 ",
+            single(center.x), single(level), single(center.z), single(7 * reach));
+        paint(graph_.background);
+        put(" transmit 1] [0.9 ");
+        paint(graph_.background);
+        put("] }} }}\n}} #end\n");
+        for (std::size_t i = 0; i < graph_.colours.size(); ++i) {
+            put("#declare C{} = texture {{ pigment {{ ", i);
+            paint(graph_.colours[i]);
+            put(" }} finish {{ specular 0.12 roughness 0.06 }} }}\n");
+        }
+        finish("");
+    }
+
+    void shape(const SceneGraph::Body& body) {
+        const Vector half = 0.5 * body.size;
+        const float radius = single(body.size.x);
+        switch (body.shape) {
+            case SolidShape::box:
+                add("box { ");
+                triple(-1.0 * half);
+                add(", ");
+                triple(half);
+                break;
+            case SolidShape::cylinder:
+                put("cylinder {{ <0, {}, 0>, <0, {}, 0>, {}", single(-half.y), single(half.y),
+                    radius);
+                break;
+            case SolidShape::cone:
+                put("cone {{ <0, {}, 0>, {}, <0, {}, 0>, 0", single(-half.y), radius,
+                    single(half.y));
+                break;
+            case SolidShape::sphere:
+                put("sphere {{ <0, 0, 0>, {}", radius);
+                break;
+        }
+        put(" matrix <");
+        for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
+            numbers(turned(body.turn, axis));
+            add(", ");
+        }
+        numbers(body.middle);
+        put("> texture {{ C{} }} }}\n", body.colour);
+    }
+    void shape(const SceneGraph::Surface& surface) {
+        put("mesh2 {{\n  vertex_vectors {{ {}", surface.points.size());
+        for (const Vector& point : surface.points) {
+            add(",\n");
+            triple(point);
+        }
+        const auto normals = corner_normals(surface, graph_.crease);
+        put(" }}\n  normal_vectors {{ {}", 3 * normals.size());
+        for (const auto& corners : normals)
+            for (const Vector& normal : corners) {
+                add(",\n");
+                triple(normal);
+            }
+        put(" }}\n  face_indices {{ {}", surface.triangles.size());
+        for (const auto& [a, b, c] : surface.triangles) put(",\n<{}, {}, {}>", a, b, c);
+        put(" }}\n  normal_indices {{ {}", surface.triangles.size());
+        for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+            put(",\n<{}, {}, {}>", 3 * i, 3 * i + 1, 3 * i + 2);
+        put(" }}\n  texture {{ C{} }}\n}}\n", surface.colour);
+    }
+    void shape(const SceneGraph::Lines& lines) {
+        const float radius = single(line_radius_);
+        std::size_t at = 0;
+        put("union {{\n");
+        for (const std::uint32_t count : lines.strokes) {
+            for (std::uint32_t i = 0; i < count; ++i, ++at) {
+                put("sphere {{ ");
+                triple(lines.points[at]);
+                put(", {} }}\n", radius);
+                // A rod between equal ends would be none.
+                if (i == 0 || same_place(lines.points[at - 1], lines.points[at])) continue;
+                put("cylinder {{ ");
+                triple(lines.points[at - 1]);
+                add(", ");
+                triple(lines.points[at]);
+                put(", {} }}\n", radius);
+            }
+        }
+        put("  texture {{ C{} }}\n}}\n", lines.colour);
+    }
+
+private:
+    static bool same_place(const Vector& a, const Vector& b) {
+        return single(a.x) == single(b.x) && single(a.y) == single(b.y) &&
+               single(a.z) == single(b.z);
+    }
+    /// A vector turned about an axis (Rodrigues).
+    static Vector turned(const AxisTurn& turn, const Vector& v) {
+        const double cosine = std::cos(turn.radians), sine = std::sin(turn.radians);
+        return cosine * v + sine * cross(turn.axis, v) +
+               ((1 - cosine) * dot(turn.axis, v)) * turn.axis;
+    }
+    void numbers(const Vector& v) { put("{}, {}, {}", single(v.x), single(v.y), single(v.z)); }
+    void triple(const Vector& v) {
+        add("<");
+        numbers(v);
+        add(">");
+    }
+    void paint(const Colour& c) {
+        put("srgb <{}, {}, {}>", single(c.red), single(c.green), single(c.blue));
+    }
+
+    double line_radius_;
+};
+
 }  // namespace
 
 void write_vrml97(const SceneGraph& graph, Output& output, const Budget& budget) {
@@ -328,6 +530,10 @@ void write_vrml1(const SceneGraph& graph, Output& output, const Budget& budget) 
 
 void write_x3d(const SceneGraph& graph, Output& output, const Budget& budget) {
     X3d(graph, output, budget).write();
+}
+
+void write_pov(const SceneGraph& graph, Output& output, const Budget& budget) {
+    Pov(graph, output, budget).write();
 }
 
 }  // namespace algae

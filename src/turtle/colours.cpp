@@ -95,6 +95,7 @@ Colour colour_named(std::string_view text) {
     std::string name(text.substr(0, 40));
     for (char& letter : name)
         letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    if (name == "currentcolor") return {};  // what a page decides is black elsewhere
     std::string_view nearest;
     std::size_t least = std::numeric_limits<std::size_t>::max();
     for (const NamedColour& candidate : names) {

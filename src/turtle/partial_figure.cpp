@@ -1,6 +1,7 @@
 #include "turtle/turtle.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/model.hpp"
 #include "turtle/detail/scene.hpp"
@@ -11,6 +12,8 @@
 // moves from frame to frame. In the plane a frame draws the whole figure on a canvas that lets through
 // what comes before a share of the word. In space a frame builds the scene of the first symbols anew, so
 // that there is memory for two scenes at a time, and looks at it with the camera of the whole.
+//
+// The frames of a turntable show one scene from several sides. Boxes of one size around the middle of the scene keep it in its place.
 
 namespace algae {
 
@@ -197,6 +200,42 @@ private:
     std::size_t part_;
 };
 
+/// A scene from one of several sides, made anew when it is drawn.
+class TurnedView : public Figure {
+public:
+    TurnedView(std::shared_ptr<const SpaceView> whole, SceneFacts facts, ViewChoices choices,
+               const Box& box)
+        : whole_(std::move(whole)),
+          about_(std::move(facts)),
+          choices_(std::move(choices)),
+          projection_(choices_.camera, box_of(whole_->scene())),
+          box_(box) {}
+
+    const Box& box() const override { return box_; }
+    const Integer& segments() const override { return whole_->segments(); }
+    const Facts& facts() const override { return whole_->facts(); }
+    std::optional<std::uint64_t> strokes() const override { return whole_->strokes(); }
+    const FigureStyle& style() const override { return whole_->style(); }
+    bool is_layered() const override { return true; }
+    bool has_scale() const override { return whole_->has_scale(); }
+    std::optional<Point> place(const Vector& point) const override {
+        const Seen seen = projection_(point);
+        if (!std::isfinite(seen.x + seen.y) || !(seen.scale > 0)) return std::nullopt;
+        return Point{seen.x, seen.y};
+    }
+    void draw(Canvas& canvas, double resolution, const Budget& budget) const override {
+        SpaceView(whole_->scene(), whole_->style(), about_, choices_, budget)
+            .draw(canvas, resolution, budget);
+    }
+
+private:
+    std::shared_ptr<const SpaceView> whole_;
+    SceneFacts about_;
+    ViewChoices choices_;
+    Projection projection_;
+    Box box_;
+};
+
 }  // namespace
 
 std::vector<Vector> turtle_glyph(const TurtleState& turtle, double size) {
@@ -292,6 +331,45 @@ std::vector<std::unique_ptr<Figure>> partial_views(const Model& system,
     std::vector<std::unique_ptr<Figure>> figures;
     for (std::size_t i = 0; i < symbols.size(); ++i)
         figures.push_back(std::make_unique<PartialView>(stage, symbols[i], watched.states[i]));
+    return figures;
+}
+
+std::vector<std::unique_ptr<Figure>> turned_views(const SpaceDerivation& derivation,
+                                                  const FigureStyle& style,
+                                                  const ViewChoices& choices,
+                                                  const std::vector<Camera>& cameras,
+                                                  const Budget& budget) {
+    const SceneFacts facts{derivation.end.position, derivation.facts.step,
+                           derivation.facts.rounded};
+    const SpaceBox around = box_of(derivation.scene);
+    const Vector middle = around.empty ? Vector{} : 0.5 * (around.low + around.high);
+    std::shared_ptr<const SpaceView> whole;
+    std::vector<ViewChoices> each;
+    std::vector<Point> middles;
+    double wide = 0, high = 0;  // halves of the boxes
+    for (const Camera& camera : cameras) {
+        budget.check();
+        ViewChoices& own = each.emplace_back(choices);
+        own.camera = camera;
+        const auto view = std::make_shared<SpaceView>(derivation.scene, style, facts, own, budget);
+        const Point at = view->place(middle).value_or(Point{});
+        const Box& box = view->box();
+        if (!box.empty) {
+            wide = std::max({wide, box.high.x - at.x, at.x - box.low.x});
+            high = std::max({high, box.high.y - at.y, at.y - box.low.y});
+        }
+        middles.push_back(at);
+        if (!whole) whole = view;
+    }
+    std::vector<std::unique_ptr<Figure>> figures;
+    for (std::size_t i = 0; i < each.size(); ++i) {
+        Box box;
+        if (!whole->box().empty) {
+            box.add(Point{middles[i].x - wide, middles[i].y - high});
+            box.add(Point{middles[i].x + wide, middles[i].y + high});
+        }
+        figures.push_back(std::make_unique<TurnedView>(whole, facts, each[i], box));
+    }
     return figures;
 }
 

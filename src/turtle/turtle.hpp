@@ -1026,6 +1026,16 @@ std::vector<std::unique_ptr<Figure>> partial_views(const Model& system,
                                                    const ViewChoices& choices,
                                                    const Budget& budget);
 
+/// A scene as these cameras see it, one after the other, as large in every picture and with its middle at the same place: the
+/// frames of a turntable. Each is made anew when it is drawn, so there is memory for two scenes at a time.
+///
+/// Throws what SpaceView throws. O(parts) for each camera.
+std::vector<std::unique_ptr<Figure>> turned_views(const SpaceDerivation& derivation,
+                                                  const FigureStyle& style,
+                                                  const ViewChoices& choices,
+                                                  const std::vector<Camera>& cameras,
+                                                  const Budget& budget);
+
 // -------------------------------------------------------------------------------------------------
 // Scenes as triangles
 

@@ -118,6 +118,22 @@ TEST_CASE("brackets do not join what blanks part in the names of catalogues") {
     CHECK(canonical("id (  a\nid b)\naxiom F") == "id ( a b)\naxiom F\n");
 }
 
+TEST_CASE("labels are printed as they are read") {
+    const std::string text =
+        "axiom F\nlet h = 2\nlabel 0 (-h / 2) B and C\nlabel (0, h, 1/2) top (in space)\n";
+    const Model model = read_lsystem(text, "");
+    REQUIRE(model.drawing.labels.size() == 2);
+    CHECK(model.drawing.labels[0].text == "B and C");
+    CHECK(model.drawing.labels[0].place.y.exact == Rational(-1));
+    CHECK(!model.drawing.labels[0].in_space);
+    CHECK(model.drawing.labels[1].text == "top (in space)");
+    CHECK(model.drawing.labels[1].place.z.exact == Rational(1, 2));
+    CHECK(canonical(text) == print_lsystem(model));
+    check_round_trip(model);
+    // The name stays free for a symbol.
+    CHECK(read_lsystem("alphabet label; axiom label; label -> label label", "").rules.size() == 1);
+}
+
 TEST_CASE("an upward start, kinds of pictures and panels are printed as they are read") {
     const std::string text = "axiom F\nstart upward\npicture tree\ncolumns 3\ncommon-scale no\n";
     const Model model = read_lsystem(text, "");

@@ -365,3 +365,19 @@ TEST_CASE("panels and pictures that are none") {
           "  start up\n"
           "        ^");
 }
+
+TEST_CASE("labels without a point or a text") {
+    const auto wanted = [](const std::string& label, const std::string& place) {
+        return "x.lsys:2:" + place +
+               ": error: expected a point and a text, such as 'label 0 1 B' or 'label (0,0,2) "
+               "top', found the end of the line\n  " +
+               label;
+    };
+    CHECK(findings("axiom F\nlabel 0 1").starts_with(wanted("label 0 1", "10")));
+    CHECK(findings("axiom F\nlabel (0,0,2)").starts_with(wanted("label (0,0,2)", "14")));
+    CHECK(findings("axiom F\nlabel (0,2) B") ==
+          "x.lsys:2:7: error: expected a point (x,y,z), found 2 numbers\n"
+          "  label (0,2) B\n"
+          "        ^");
+    CHECK(findings("axiom F\nlabel zero 1 B").find("found 'zero'") != std::string::npos);
+}

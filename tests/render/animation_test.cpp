@@ -2,10 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "command/run.hpp"
 #include "exact/exact.hpp"
 #include "render/detail/colour_table.hpp"
 #include "render/figures.hpp"
@@ -84,7 +88,7 @@ TEST_CASE("a webp keeps half-transparent pixels, a gif refuses them") {
               png_pixels(figures[i], options));  // black: any opacity is exact
     CHECK_THROWS_WITH_AS(
         animation(figures, AnimationFormat::gif, options),
-        "a gif has no half-transparent pixels: expected a colour as its background, "
+        "a gif or a video has no half-transparent pixels: expected a colour as its background, "
         "or webp",
         Error);
 }
@@ -211,4 +215,82 @@ TEST_CASE("a table of colours has them all if it can, and the most frequent one 
     CHECK_FALSE(many.is_exact());
     CHECK(many.colours().size() == 256);
     CHECK(many.colours()[many.index(0xfedcba)] == 0xfedcba);
+}
+
+namespace {
+
+/// A program named ffmpeg that comes first on the PATH, or alone there.
+class StandIn {
+public:
+    explicit StandIn(const std::string& script, bool alone = false)
+        : before_(std::getenv("PATH") ? std::getenv("PATH") : "") {
+        const std::string file = folder_.file("ffmpeg", script);
+        std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+        const std::string here = std::filesystem::path(file).parent_path().string();
+        setenv("PATH", (alone ? here : here + ':' + before_).c_str(), 1);
+        if (script.empty()) std::filesystem::remove(file);
+    }
+    StandIn(const StandIn&) = delete;
+    StandIn& operator=(const StandIn&) = delete;
+    ~StandIn() { setenv("PATH", before_.c_str(), 1); }
+
+private:
+    Scratch folder_;
+    std::string before_;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a video's frames go to ffmpeg, each as often as its time is a multiple of the shortest") {
+    PictureOptions options;
+    options.width = 121;
+    options.height = 61;
+    const std::vector<DrawnFigure> figures = koch_curves(2);
+    const StandIn ffmpeg("#!/bin/sh\nbytes=$(wc -c)\necho \"$bytes $*\" >/dev/fd/3\n");
+    for (const AnimationFormat format : {AnimationFormat::mp4, AnimationFormat::webm}) {
+        const std::string said = animation(figures, format, options);
+        // 0.8, 0.8 and 2.4 seconds are five frames of 122 by 62 pixels, four bytes each.
+        CHECK(said.starts_with(std::to_string(5 * 122 * 62 * 4) + ' '));
+        CHECK(said.find(" -video_size 122x62 -framerate 100/80 ") != std::string::npos);
+        CHECK(said.find(format == AnimationFormat::mp4 ? " libx264 " : " libvpx-vp9 ") !=
+              std::string::npos);
+    }
+    AnimationTiming timing;
+    timing.frame = timing.last.emplace(0.04);
+    const std::string said = animation(figures, AnimationFormat::mp4, options, timing);
+    CHECK(said.starts_with(std::to_string(3 * 122 * 62 * 4) + ' '));
+    CHECK(said.find(" -framerate 100/4 ") != std::string::npos);
+}
+
+TEST_CASE("what goes wrong with a video is said, and no file is left") {
+    const Scratch scratch;
+    const std::string file = scratch.file("koch.mp4");
+    const std::vector<DrawnFigure> figures = koch_curves(3);
+    const auto refused = [&](const std::string& script, const std::string& message,
+                             const AnimationTiming& timing = {}) {
+        const StandIn ffmpeg(script, script.empty());
+        std::vector<Plate> plates;
+        for (const DrawnFigure& figure : figures) plates.push_back({&figure, "koch", ""});
+        CHECK_THROWS_WITH_AS(draw_animation(plates, file, AnimationFormat::mp4, {}, timing, {}),
+                             message.c_str(), Error);
+        CHECK(scratch.size() == 0);
+    };
+    refused("",
+            "mp4 and webm are packed by the program ffmpeg, which is not on the PATH; expected it "
+            "there (Debian: apt-get install ffmpeg), or .gif or .webp");
+    refused("#!/bin/sh\ncat >/dev/null\necho first >&2\necho 'no such codec' >&2\nexit 1\n",
+            "ffmpeg could not pack the video: no such codec");
+    refused("#!/bin/sh\nexec 0</dev/null\nsleep 0.1\nexit 0\n",
+            "ffmpeg ended before it had read all frames of the video");
+    AnimationTiming twice;
+    twice.plays = 2;
+    refused("#!/bin/sh\n", "a video does not say how often it is shown; gif and webp do", twice);
+}
+
+TEST_CASE("a video ends with its deadline, and ffmpeg with it") {
+    const StandIn ffmpeg("#!/bin/sh\nexec sleep 1000\n");
+    Budget budget;
+    budget.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
+    CHECK_THROWS_AS(animation(koch_curves(2), AnimationFormat::webm, {}, {}, budget), BoundReached);
 }

@@ -467,3 +467,19 @@ TEST_CASE("names of letters in documents") {
     CHECK(fixed_text(100, 2) == "100");
     CHECK(escaped_latex("a_b\\c 60°") == "a\\_b\\textbackslash{}c 60$^\\circ$");
 }
+
+TEST_CASE("currentColor is the colour of the text around an svg, and black elsewhere") {
+    FigureTextOptions options;
+    options.picture.colours = {"currentColor", "red"};
+    options.picture.scale_bar = true;
+    const DrawnFigure figure = koch(2);
+    const FigureSource source{{&figure, "koch", "a caption"}};
+    std::ostringstream svg, tex;
+    draw_as_text({&source, 1}, svg, FigureFormat::svg, options, Budget{});
+    draw_as_text({&source, 1}, tex, FigureFormat::tex, options, Budget{});
+    CHECK(svg.str().find(".stroke.colour-1 { stroke: currentColor }") != std::string::npos);
+    CHECK(svg.str().find("px; fill: currentColor }") != std::string::npos);
+    CHECK(svg.str().find("#000") == std::string::npos);
+    CHECK(tex.str().find("current") == std::string::npos);
+    CHECK(colour_named("CURRENTcolor") == Colour{});
+}

@@ -174,7 +174,7 @@ TEST_CASE("files appear whole or not at all, and the same each time") {
     small.memory = 1 << 16;
     for (const MeshFormat format :
          {MeshFormat::glb, MeshFormat::obj, MeshFormat::ply, MeshFormat::stl, MeshFormat::x3d,
-          MeshFormat::wrl, MeshFormat::vrml1}) {
+          MeshFormat::wrl, MeshFormat::vrml1, MeshFormat::pov}) {
         std::vector<Vector> way;
         for (int i = 0; i < 9999; ++i) way.push_back({double(i), double(i % 2), 0});
         CHECK_THROWS_AS(draw_mesh(chain(way, 0.1), scratch.file("figure"), format, {}, small),

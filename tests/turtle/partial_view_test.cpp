@@ -60,3 +60,41 @@ TEST_CASE("views of a word part by part share a camera and a box, and grow") {
         CHECK(last.polygons.size() > first.polygons.size());
     }
 }
+
+TEST_CASE(
+    "turned views keep the middle of a scene and its size, and each is what its camera sees") {
+    const Model system = read_lsystem("axiom !(0.2)F[+F^F]/(40)[&F{F+F+F}]$F; angle 50", "t.lsys");
+    const SpaceDerivation derived = scene(system, 0, {});
+    const SpaceBox around = box_of(derived.scene);
+    const Vector middle = 0.5 * (around.low + around.high);
+    for (const bool perspective : {false, true}) {
+        std::vector<Camera> cameras;
+        for (int azimuth = 0; azimuth < 360; azimuth += 30)
+            cameras.push_back({double(azimuth), 25, perspective});
+        const auto views = turned_views(derived, style_of(system.drawing), {}, cameras, {});
+        REQUIRE(views.size() == cameras.size());
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const Box& box = views[i]->box();
+            CHECK(box.breadth() == doctest::Approx(views[0]->box().breadth()));
+            CHECK(box.height() == doctest::Approx(views[0]->box().height()));
+            const auto at = views[i]->place(middle);
+            REQUIRE(at);
+            CHECK(at->x == doctest::Approx((box.low.x + box.high.x) / 2));
+            CHECK(at->y == doctest::Approx((box.low.y + box.high.y) / 2));
+            ViewChoices alone;
+            alone.camera = cameras[i];
+            const SpaceView view(derived.scene, style_of(system.drawing), {}, alone, {});
+            Counted turned, single;
+            views[i]->draw(turned, 0.01, {});
+            view.draw(single, 0.01, {});
+            CHECK(turned.strokes.size() == single.strokes.size());
+            CHECK(turned.polygons == single.polygons);
+            CHECK(turned.box.low.x >= box.low.x - 1e-9);
+            CHECK(turned.box.high.y <= box.high.y + 1e-9);
+        }
+    }
+    CHECK(turned_views(scene(read_lsystem("axiom A; A -> &A", ""), 0, {}), {}, {}, {Camera{}}, {})
+              .front()
+              ->box()
+              .empty);
+}

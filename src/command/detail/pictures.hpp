@@ -19,9 +19,9 @@
 namespace algae::command {
 
 /// What --format takes, for types of options.
-inline constexpr const char* picture_formats = "svg|pdf|png|ps|eps|gif|webp";
+inline constexpr const char* picture_formats = "svg|pdf|png|ps|eps|gif|webp|mp4|webm";
 inline constexpr const char* text_formats = "tex|typ|csv|geojson|dxf|html";
-inline constexpr const char* mesh_formats = "glb|obj|ply|stl|x3d|wrl|vrml1";
+inline constexpr const char* mesh_formats = "glb|obj|ply|stl|x3d|wrl|vrml1|pov";
 
 /// The format of a picture by the extension of this name. Throws Error, which lists the other formats.
 PictureFormat picture_of(const std::string& named);
@@ -39,15 +39,26 @@ Target target_of(const std::string& output);
 /// Throws Error, the option and then `why`, at the first option that is given.
 void refuse_given(const std::vector<std::pair<const char*, bool>>& given, const std::string& why);
 
+/// Where a camera stands, or where it goes on the way around a figure: `--camera 0..360,15`.
+struct MovingCamera {
+    Camera camera;               // where it stands, or begins
+    std::optional<double> last;  // the azimuth to which it goes
+
+    /// The cameras of the frames, about 5 degrees apart. Where it comes round to its beginning, that is not shown twice.
+    std::vector<Camera> stations() const;
+};
+
 /// The options of `draw` for figures in space.
 struct SpaceOptions {
-    std::optional<Camera> camera;
+    std::optional<MovingCamera> camera;
     std::optional<Light> light;
     std::optional<double> fog;
 
     void add_to(Verb& verb);
     /// Throws Error if one of these options is given.
     void check_unused(const std::string& name) const;
+    /// Whether the camera goes around the figure.
+    bool turns() const { return camera && camera->last; }
 };
 
 /// Options that stand for settings of the file: `--angle` and `--start`.
@@ -96,6 +107,9 @@ ViewChoices view_choices(const SpaceOptions& options, const Model& system,
 
 /// A reader of the text of --label, "TEXT@x,y" or "TEXT@x,y,z".
 PointLabel point_label(const std::string& option, const std::string& text);
+
+/// The labels that a file wants.
+std::vector<PointLabel> labels_of(const Drawing& drawing);
 
 /// One word of a system, ready to be drawn.
 struct FigurePlate {

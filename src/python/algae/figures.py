@@ -14,8 +14,8 @@ from .budget import Budget, limits
 
 __all__ = ["Mesh", "Picture", "Tree"]
 
-FORMATS = ("svg", "pdf", "png", "ps", "eps", "gif", "webp", "tex", "typ", "csv", "geojson", "dxf", "html",
-           "glb", "obj", "ply", "stl", "x3d", "wrl", "vrml1")
+FORMATS = ("svg", "pdf", "png", "ps", "eps", "gif", "webp", "mp4", "webm", "tex", "typ", "csv", "geojson", "dxf", "html",
+           "glb", "obj", "ply", "stl", "x3d", "wrl", "vrml1", "pov")
 
 WISHES = ("width", "height", "margin", "line_width", "font_size", "frame_time", "colours", "background", "caption",
           "captions", "scale_bar", "common_scale", "panels", "camera", "facets")
@@ -134,8 +134,11 @@ class Picture:
             return pages.framed(self._page)
         if self.format == "html":
             return pages.framed(self.text)
+        data = base64.b64encode(self.data).decode("ascii")
         if self.format in ("gif", "webp"):
-            return f'<img src="data:image/{self.format};base64,{base64.b64encode(self.data).decode("ascii")}" alt="an animation">'
+            return f'<img src="data:image/{self.format};base64,{data}" alt="an animation">'
+        if self.format in ("mp4", "webm"):
+            return f'<video controls loop src="data:video/{self.format};base64,{data}"></video>'
         return None
 
 
@@ -213,7 +216,7 @@ class Mesh:
 
     def save(self, path: Union[str, "os.PathLike[str]"], *, timeout: Optional[float] = None, budget: Optional[Budget] = None,
              **wishes: Any) -> None:
-        """Writes glb, obj, ply, stl, x3d, wrl or vrml1, by the end of the path."""
+        """Writes glb, obj, ply, stl, x3d, wrl, vrml1 or pov, by the end of the path."""
         file = arguments.path("path", path)
         chosen = format_of(file, None)
         wanted = wishes_of(wishes)

@@ -32,6 +32,9 @@ struct Plan {
 Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arrangement,
           const PictureOptions& options, const Budget& budget);
 
+/// Where the text of a label begins that is so wide: to the right of its point and above it, as far as the picture reaches.
+Point label_corner(const Plan& plan, Point at, double width);
+
 /// A stroke of a pen of this width that the symbol ! narrows by a factor: it stays wide enough to be seen.
 double narrowed(double pen, double factor);
 

@@ -45,6 +45,10 @@ struct FigurePaths {
 FigurePaths paths_of(const FigureSource& source, const std::vector<std::string>& colours,
                      double width, double scale, const Budget& budget);
 
+/// Leaves out the paths of a picture of something in space that later ones hide, as far as the pixels show it that are a quarter of a
+/// point wide. O(paths times the pixels of each).
+void leave_out_hidden(FigurePaths& figure, const Cell& cell, const Budget& budget);
+
 /// What a plotter draws instead: each segment once, in as few paths as there can be for each colour and width, in an order
 /// with short ways between them. `grid`: points that are this near are the same. Notes in `drawn` what was left out.
 ///

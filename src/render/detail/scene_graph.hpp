@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,16 +63,17 @@ struct SceneGraph {
     Vector light;                       // the way it shines, of length 1
     Colour background{1, 1, 1};
     std::string title;
-    double crease = 0.7;  // radians
+    double crease = 0.7;   // radians
+    bool upright = false;  // a figure in space, which may stand on a ground
     std::uint64_t vertices = 0, triangles = 0, strokes = 0;
     SpaceBox box;  // in the units and axes of the scene
 };
 
 /// The graph of a scene whose paints are all colours of their own. The camera is the first viewpoint
-/// of a figure in space; one of the plane is looked at from straight in front. Throws what mesh_of
-/// throws. O(parts) time.
+/// of a figure in space; one of the plane is looked at from straight in front. Without a light it comes over the left shoulder of the
+/// first viewpoint. Throws what mesh_of throws. O(parts) time.
 SceneGraph scene_graph(const Scene& scene, const MeshOptions& options, const Camera& camera,
-                       const Budget& budget);
+                       const std::optional<Light>& light, const Budget& budget);
 
 /// Whether something lies outside the plane z = 0.
 bool is_in_space(const SpaceBox& box);
@@ -87,5 +89,8 @@ void write_vrml1(const SceneGraph& graph, Output& output, const Budget& budget);
 /// Writes a scene graph as X3D 3.3 in XML (ISO/IEC 19776-1), profile Interchange. Throws Error if the
 /// bytes cannot be written.
 void write_x3d(const SceneGraph& graph, Output& output, const Budget& budget);
+
+/// Writes a scene graph as a scene for POV-Ray 3.7. Surfaces are smooth but for creases. Throws Error if the bytes cannot be written.
+void write_pov(const SceneGraph& graph, Output& output, const Budget& budget);
 
 }  // namespace algae

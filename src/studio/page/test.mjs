@@ -374,6 +374,10 @@ async function languages() {
     cs: { chooser: 'Jazyk stránky', tabs: ['Obrázek', 'Jazyk', 'Lekce'], counted: ['1 úsečka', '4 úsečky', '256 úseček'], member: 'F patří do jazyka.' },
     ru: { chooser: 'Язык страницы', tabs: ['Рисунок', 'Язык', 'Уроки'], counted: ['1 отрезок', '4 отрезка', '256 отрезков'], member: 'F принадлежит языку.' },
   };
+  await tab('Lessons');
+  await page.getByRole('combobox', { name: 'Lessons' }).selectOption('10');
+  await settled();
+  await tab('Figure');
   let chooser = 'Language of the page';
   const choose = async (wanted) => {
     await Promise.all([page.waitForEvent('load'), page.getByLabel(chooser, { exact: true }).selectOption(wanted)]);

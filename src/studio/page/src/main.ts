@@ -343,7 +343,7 @@ document.body.append(
   ),
   gallery.dialog,
   embedDialog,
-  wholePage,
+  el('footer', {}, wholePage),
   el('div', { id: 'spoken', 'aria-live': 'polite' }),
 );
 

@@ -200,6 +200,11 @@ auto min_element(Range&& range, Compare compare = {}, Projection projection = {}
     return std::min_element(engine::first(range), engine::last(range),
                             engine::projected_comparison(compare, projection));
 }
+template <class Range, class Compare = less, class Projection = identity>
+auto max_element(Range&& range, Compare compare = {}, Projection projection = {}) {
+    return std::max_element(engine::first(range), engine::last(range),
+                            engine::projected_comparison(compare, projection));
+}
 template <class Left, class Right, class Target>
 auto set_union(Left&& left, Right&& right, Target target) {
     return std::set_union(engine::first(left), engine::last(left), engine::first(right),

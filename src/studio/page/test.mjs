@@ -407,6 +407,20 @@ async function languages() {
   await choose('en');
   includes(await tab('Figure'), '256 segments', 'the page speaks English again, and shows what it showed');
 }
+
+/** The colours of the page may change while another tab is shown: a figure has those of now. */
+async function inkedFor(theme, name) {
+  const green = await page.evaluate((id) => {
+    const canvas = document.querySelector(`#panel-${id} canvas`);
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const values = [];
+    for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200) values.push(data[i + 1]);
+    return values.sort((a, b) => a - b);
+  }, name.toLowerCase());
+  const ink = theme === 'dark' ? green.at(-1) : green[0];
+  check(green.length > 50 && (theme === 'dark' ? ink > 200 : ink < 90), `${name} has the ink of the ${theme} page: ${ink} of ${green.length} pixels`);
+}
+
 /** What people with other senses meet, as axe sees it. */
 async function accessible() {
   const require = createRequire(import.meta.url);
@@ -422,6 +436,7 @@ async function accessible() {
     for (const one of ['Figure', 'Derivation', 'Growth', 'Language', 'Claims', 'Dimension', 'Lessons']) {
       await tab(one);
       await look(`${one}, ${theme}`);
+      if (one === 'Figure' || one === 'Dimension') await inkedFor(theme, one);
       await picture(`${theme}-${one.toLowerCase()}`);
       await page.getByRole('button', { name: 'Present' }).click();
       await look(`${one}, ${theme}, presentation`);

@@ -37,7 +37,7 @@ export class DimensionTab {
     const about = described();
     if (!this.visible || !about) return;
     const key = JSON.stringify([state.system, state.seed]);
-    if (key === this.shownKey) return;
+    if (key === this.shownKey) return this.draw(); // in the colours of now
     const wait = setTimeout(() => this.root.replaceChildren(el('p', { class: 'wait' }, texts.measuring)), 150);
     try {
       await this.latest.run(async (signal) => {
@@ -121,7 +121,7 @@ export class DimensionTab {
   /** The figure, and the boxes of the chosen scale that meet it. */
   private draw(): void {
     const { canvas, plane } = this;
-    if (!canvas || !plane || !canvas.isConnected) return;
+    if (!canvas || !plane || canvas.clientWidth === 0) return;
     const ratio = devicePixelRatio;
     const wide = (canvas.width = Math.round(canvas.clientWidth * ratio));
     const high = (canvas.height = Math.round(canvas.clientHeight * ratio));

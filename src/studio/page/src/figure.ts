@@ -149,6 +149,7 @@ export class FigureTab {
   private waits: (() => void) | null = null;
   private space: SpaceStage | null = null;
   visible = false;
+  private stale = false; // drawn in colours of before
   /** When the picture of the last change was on the screen, for measurements. */
   painted = 0;
 
@@ -215,7 +216,10 @@ export class FigureTab {
     if (!this.visible) return;
     if (described()) this.controls();
     const key = JSON.stringify([state.system, state.n, state.seed]);
-    if (key === this.shownKey) return;
+    if (key === this.shownKey) {
+      if (this.stale) this.repaint();
+      return;
+    }
     this.shownKey = key;
     const wait = setTimeout(() => this.say(texts.working, 'wait'), 150);
     try {
@@ -740,8 +744,10 @@ export class FigureTab {
     });
   }
 
+  /** In the colours of now; where the figure is not seen, as soon as it is. */
   repaint(): void {
-    this.draw();
+    this.stale = this.canvas.clientWidth === 0 && !this.space;
+    if (!this.stale) this.draw();
     this.space?.repaint();
   }
 

@@ -161,7 +161,7 @@ if (executable) {
   let frame = ''; // of a page of somebody else's
   const files = createServer((request, response) => {
     const name = request.url === '/' ? 'index.html' : request.url.slice(1).split(/[?#]/)[0];
-    if (name === 'other') return response.writeHead(200, { 'Content-Type': 'text/html' }).end(`<!DOCTYPE html><html lang="en"><title>Other</title><h1>Other</h1>${frame}</html>`);
+    if (name === 'other') return response.writeHead(200, { 'Content-Type': 'text/html' }).end(`<!DOCTYPE html><html lang="en"><title>Other</title><link rel="icon" href="data:,"><h1>Other</h1>${frame}</html>`);
     if (!(name in sizes)) return response.writeHead(404).end();
     served.push(name);
     response.writeHead(200, { 'Content-Type': kinds[name.split('.').pop()] }).end(readFileSync(`${folder}/${name}`));

@@ -163,6 +163,22 @@ std::uint64_t threshold(const Rational& sum) {
     return floor(sum * Rational(power(Integer(2), 64))).to_uint64();
 }
 
+/// Throws Error where a right context leaves a branch that it has not gone into; where brackets are ignored they are no branches.
+void check_right_context(const LSystem& system, const Production& rule) {
+    const auto brackets = brackets_of(system.alphabet);
+    const auto is_ignored = [&](Symbol a) {
+        return std::find(system.ignored.begin(), system.ignored.end(), a) != system.ignored.end();
+    };
+    if (!brackets || (is_ignored(brackets->open) && is_ignored(brackets->close))) return;
+    std::size_t open = 0;
+    for (const ModulePattern& module : rule.right) {
+        if (module.symbol == brackets->open) ++open;
+        if (module.symbol != brackets->close || open-- > 0) continue;
+        throw Error(to_string(rule.place) +
+                    ": expected a right context that is a tree, found a ']' that closes nothing");
+    }
+}
+
 void add_rule(CompiledRules& rules, const Production& rule) {
     if (rule.shape)
         throw Error(to_string(rule.place) +
@@ -177,6 +193,7 @@ void add_rule(CompiledRules& rules, const Production& rule) {
                         ": expected a left context without brackets, a path to the root, "
                         "found '" +
                         name + "'");
+    check_right_context(*rules.system, rule);
     RuleSet& set = rules.tables.at(rule.table);
     const ModuleKind kind =
         rules.kinds.kind(rule.predecessor.symbol, rule.predecessor.parameters.size());

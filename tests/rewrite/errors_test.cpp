@@ -67,6 +67,19 @@ TEST_CASE("rules that are none for words") {
           std::string::npos);
 }
 
+TEST_CASE(
+    "a right context that leaves a branch it is not in is an error, where it once ended the "
+    "program") {
+    const std::string wanted =
+        "test.lsys:2:1: expected a right context that is a tree, found a ']' that closes nothing";
+    CHECK(refusal("axiom ABC[DE][SG[HI]M]\nBC < S > G]M -> X", 1) == wanted);
+    CHECK(refusal("axiom A[B]\nA > [B]] -> X", 1) == wanted);
+    CHECK(refusal("axiom A[B]\n[ > B] -> X", 1) == wanted);
+    CHECK(refusal("axiom A[B]C\nA > [B]C -> X", 1) == "X[B]C");
+    // Where brackets are ignored, such a rule matches nowhere.
+    CHECK(refusal("ignore [ ]\naxiom A[B]\nA > B] -> X", 1) == "A[B]");
+}
+
 TEST_CASE("bounds") {
     const Rewriting rewriting(read_lsystem("axiom A(1); A(x) -> A(x)A(x)", "b.lsys"));
     Budget budget;

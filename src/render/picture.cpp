@@ -329,16 +329,14 @@ void draw_label(cairo_t* context, const Plan& plan, const Cell& cell, const Figu
     if (!place) return;
     const Point at = cell.frame(*place);
     cairo_save(context);
-    choose_ink(context, plan.background);
     choose_font(context, "sans-serif", plan.font_size);
     const auto [x, y] = label_corner(plan, at, text_width(context, label.text));
     // A halo lets it be read on strokes.
-    const Colour paper = plan.background.value_or(Colour{1, 1, 1});
     cairo_move_to(context, x, y);
     cairo_text_path(context, label.text.c_str());
     cairo_set_line_width(context, plan.font_size / 4);
     cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_source_rgb(context, paper.red, paper.green, paper.blue);
+    set_colour(context, plan.background.value_or(Colour{1, 1, 1}));
     cairo_stroke(context);
     choose_ink(context, plan.background);
     show_text(context, label.text, x, y);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,7 +10,7 @@
 #include "notation/detail/expression_grammar.hpp"
 #include "notation/detail/grammar.hpp"
 
-// Expressions: numbers, names, words in quotes, operators and calls, `2*x^(n-1)`, `leaf(3)`, `len("F[+F]")`.
+// Expressions: numbers, names, words in quotes, operators and calls, `2*x^(n-1)`, `leaf(3)`, `length("F[+F]")`.
 //
 // The grammar is flat. It says only what may follow what: prefixes and opening brackets, an operand, closing
 // brackets, then an operator or a comma. What belongs together is found by Dijkstra's shunting yard
@@ -18,7 +19,8 @@
 // inside each other) protect whoever walks the result. Only `^` groups to the right; relations do not chain.
 // Which operators there are is a table, `ExpressionDialect`: with their tables the same grammar reads the arithmetic of
 // other programs, whose readers say what an operand is.
-// Words in quotes are read by words.cpp, which calls back for their arguments.
+// Words in quotes are read by words.cpp, which calls back for their arguments. A call of a function that the file makes for itself becomes
+// the expression that it stands for (`OwnFunctions`): what reads expressions afterwards needs to know fourteen functions and no more.
 
 namespace algae {
 
@@ -28,6 +30,39 @@ namespace x3 = grammar::x3;
 using grammar::text_of;
 using grammar::wanted;
 
+/// Substitutes expressions for names, counting what it makes.
+class Substitution {
+public:
+    static constexpr std::size_t most = 10'000;
+
+    /// What a name becomes; nullptr where it stays.
+    using Replaced = std::function<const Expression*(const std::string& name)>;
+
+    /// Nothing if more than `most` parts would be made.
+    std::optional<Expression> of(const Expression& from, const Replaced& replaced) {
+        Expression out;
+        if (!fill(from, replaced, out)) return std::nullopt;
+        return out;
+    }
+    std::size_t made() const { return made_; }
+
+private:
+    bool fill(const Expression& from, const Replaced& replaced, Expression& out) {
+        if (++made_ > most) return false;
+        if (from.kind == Expression::Kind::name)
+            if (const Expression* const other = replaced(from.name))
+                return fill(
+                    *other, [](const std::string&) { return nullptr; }, out);
+        out = {from.kind, from.value, from.name, {}, from.word, from.place};
+        out.operands.resize(from.operands.size());
+        for (std::size_t i = 0; i < from.operands.size(); ++i)
+            if (!fill(from.operands[i], replaced, out.operands[i])) return false;
+        return true;
+    }
+
+    std::size_t made_ = 0;
+};
+
 using Binding = ExpressionDialect::Binding;
 using Operator = ExpressionDialect::Operator;
 using Powers = ExpressionDialect::Powers;
@@ -36,10 +71,10 @@ using Powers = ExpressionDialect::Powers;
 /// It keeps its own stack, so no nesting can exhaust the program's. All throw `SyntaxError`.
 class ExpressionBuilder {
 public:
-    /// `systems` are names that are called as functions of one number.
+    /// `systems` are names that are called as functions of one number; `functions` may be null.
     ExpressionBuilder(const Source& source, const ExpressionDialect& dialect,
-                      const std::vector<std::string>& systems)
-        : source_(source), dialect_(dialect), systems_(systems) {}
+                      const std::vector<std::string>& systems, const OwnFunctions* functions)
+        : source_(source), dialect_(dialect), systems_(systems), functions_(functions) {}
 
     /// What becomes of each operator and its operands, if not what they are.
     std::function<Expression(Expression)> made;
@@ -95,9 +130,16 @@ public:
         open({Kind::bracket, {}, Binding::disjunction, where, 0});
     }
     void open_call(std::string_view function) {
-        if (!function_arity(function) && std::ranges::count(systems_, function) == 0) {
+        if (!function_arity(function) && std::ranges::count(systems_, function) == 0 &&
+            !own(function)) {
+            if (functions_ && functions_->is_broken(function)) throw DependsOnError();
+            if (functions_ && functions_->is_being_defined(function))
+                throw SyntaxError{function.data(),
+                                  quoted(function) + " stands in its own definition"};
             std::vector<std::string> known = function_names();
             known.insert(known.end(), systems_.begin(), systems_.end());
+            if (functions_)
+                for (std::string& name : functions_->names()) known.push_back(std::move(name));
             throw SyntaxError{function.data(),
                               (systems_.empty() ? "expected a function, found "
                                                 : "expected a function or a system, found ") +
@@ -116,7 +158,9 @@ public:
         --open_;
         if (top.kind == Kind::bracket) return;
         const std::size_t given = operands_.size() - top.operands;
-        const Arity arity = function_arity(top.name).value_or(Arity{1, false});
+        const OwnFunctions::Function* const own_function = own(top.name);
+        const Arity arity = own_function ? Arity{own_function->parameters.size(), false}
+                                         : function_arity(top.name).value_or(Arity{1, false});
         if (given < arity.least || (given > arity.least && !arity.or_more))
             throw SyntaxError{where, "expected " + std::to_string(arity.least) +
                                          (arity.or_more ? " or more" : "") + " argument" +
@@ -133,6 +177,11 @@ public:
             out.operands[i] = pop();
         }
         if (is_distance(out)) check_distance(out);
+        if (own_function && !functions_->keeps_calls()) {
+            Expression meant = functions_->called(out, top.where);
+            levels += depth(own_function->body);
+            return push(std::move(meant), levels, where);
+        }
         push(std::move(out), levels + 1, where);
     }
 
@@ -227,6 +276,17 @@ private:
             reduce();
     }
 
+    const OwnFunctions::Function* own(std::string_view name) const {
+        return functions_ ? functions_->find(name) : nullptr;
+    }
+
+    static std::size_t depth(const Expression& expression) {
+        std::size_t deepest = 0;
+        for (const Expression& operand : expression.operands)
+            deepest = std::max(deepest, depth(operand));
+        return deepest + 1;
+    }
+
     Expression pop() {
         Expression top = std::move(operands_.back());
         operands_.pop_back();
@@ -249,6 +309,7 @@ private:
     const Source& source_;
     const ExpressionDialect& dialect_;
     const std::vector<std::string>& systems_;
+    const OwnFunctions* functions_;
     std::vector<Pending> pending_;
     std::vector<Expression> operands_;
     std::vector<std::size_t> levels_;  // how deep each operand is
@@ -327,7 +388,7 @@ struct Between : x3::parser<Between> {
 Expression read_expression(const char*& here, const char* end, const Source& source,
                            const ExpressionDialect& dialect, const ExpressionReader& reader) {
     static const std::vector<std::string> no_systems;
-    ExpressionBuilder builder(source, dialect, no_systems);
+    ExpressionBuilder builder(source, dialect, no_systems, nullptr);
     builder.made = reader.made;
     const Operators infixes(dialect.infixes), prefixes(dialect.prefixes);
     Operator met{};
@@ -359,10 +420,47 @@ Expression read_expression(const char*& here, const char* end, const Source& sou
     return builder.finish();
 }
 
-Expression parse_expression(const char*& here, const char* end, const Source& source,
-                            Lexicon* lexicon, std::size_t quotes) {
+const OwnFunctions::Function* OwnFunctions::find(std::string_view name) const {
+    const auto found = std::ranges::find(all_, name, &Function::name);
+    return found == all_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> OwnFunctions::names() const {
+    std::vector<std::string> out;
+    for (const Function& function : all_) out.push_back(function.name);
+    return out;
+}
+
+Expression OwnFunctions::called(const Expression& call, const char* where) const {
+    constexpr std::size_t most_in_all = 1'000'000;
+    const Function& function = *find(call.name);
+    Substitution substitution;
+    auto made = substitution.of(function.body, [&](const std::string& name) -> const Expression* {
+        const auto at = std::ranges::find(function.parameters, name);
+        return at == function.parameters.end()
+                   ? nullptr
+                   : &call.operands[static_cast<std::size_t>(at - function.parameters.begin())];
+    });
+    made_ += substitution.made();
+    if (made && made_ <= most_in_all) return std::move(*made);
+    throw SyntaxError{where, "the call of " + quoted(call.name) + " stands for more than " +
+                                 (made ? "1,000,000 numbers, names and operators with all before it"
+                                       : "10,000 numbers, names and operators")};
+}
+
+Expression OwnFunctions::expanded(const Expression& expression, const char* where) const {
+    Expression out = expression;
+    for (Expression& operand : out.operands) operand = expanded(operand, where);
+    return out.kind == Expression::Kind::call && find(out.name) ? called(out, where) : out;
+}
+
+namespace {
+
+Expression parse(const char*& here, const char* end, const Source& source, Lexicon* lexicon,
+                 const OwnFunctions* functions, std::size_t quotes) {
     static const std::vector<std::string> no_systems;
-    ExpressionBuilder builder(source, own_dialect, lexicon ? lexicon->systems() : no_systems);
+    ExpressionBuilder builder(source, own_dialect, lexicon ? lexicon->systems() : no_systems,
+                              functions);
     std::string_view function;
     Operator met{};
     const auto on_number = [&](auto& c) { builder.number(text_of(x3::_attr(c))); };
@@ -399,24 +497,48 @@ Expression parse_expression(const char*& here, const char* end, const Source& so
     return builder.finish();
 }
 
-Expression parse_expression(std::string_view text, const Source& source) {
+template <class Read>
+std::vector<Expression> arguments_of(const char*& here, const char* end, Read read) {
+    std::vector<Expression> arguments;
+    do {
+        ++here;  // the bracket or the comma
+        arguments.push_back(read());
+    } while (here != end && *here == ',');
+    if (here == end || *here != ')') throw unexpected("an operator, ',' or ')'", here);
+    ++here;
+    return arguments;
+}
+
+}  // namespace
+
+Expression parse_expression(const char*& here, const char* end, const Source& source,
+                            Lexicon* lexicon, std::size_t quotes) {
+    return parse(here, end, source, lexicon, lexicon ? lexicon->functions() : nullptr, quotes);
+}
+
+Expression parse_expression(const char*& here, const char* end, const Source& source,
+                            const OwnFunctions* functions) {
+    return parse(here, end, source, nullptr, functions, 0);
+}
+
+Expression parse_expression(std::string_view text, const Source& source,
+                            const OwnFunctions* functions) {
     const char* here = text.data();
     const char* const end = here + text.size();
-    Expression expression = parse_expression(here, end, source);
+    Expression expression = parse_expression(here, end, source, functions);
     if (here != end) throw unexpected("an operator", here);
     return expression;
 }
 
 std::vector<Expression> parse_arguments(const char*& here, const char* end, const Source& source,
                                         Lexicon* lexicon, std::size_t quotes) {
-    std::vector<Expression> arguments;
-    do {
-        ++here;  // the bracket or the comma
-        arguments.push_back(parse_expression(here, end, source, lexicon, quotes));
-    } while (here != end && *here == ',');
-    if (here == end || *here != ')') throw unexpected("an operator, ',' or ')'", here);
-    ++here;
-    return arguments;
+    return arguments_of(here, end,
+                        [&] { return parse_expression(here, end, source, lexicon, quotes); });
+}
+
+std::vector<Expression> parse_arguments(const char*& here, const char* end, const Source& source,
+                                        const OwnFunctions* functions) {
+    return arguments_of(here, end, [&] { return parse_expression(here, end, source, functions); });
 }
 
 }  // namespace algae

@@ -188,7 +188,7 @@ Lines lines_of(const Printing& printing, bool within) {
             for (const InnerSystem& inner : printing.system.inner)
                 lines.push_back({setting.name(), setting.name() + ' ' + inner.name + " {",
                                  lines_of({inner.system, printing.drawing, printing.expectations,
-                                           printing.coding, printing.printer},
+                                           printing.coding, printing.printer, nullptr},
                                           true)});
         if (!setting.print || (within && !setting.within)) continue;
         for (const std::string& value : setting.print(printing)) add(setting.name(), value, lines);
@@ -197,9 +197,10 @@ Lines lines_of(const Printing& printing, bool within) {
 }
 
 /// The canonical text of a system, line by line.
-Lines canonical_lines(const Model& system) {
+Lines canonical_lines(const Model& system, const OwnFunctions* functions = nullptr) {
     const Printer printer(system.alphabet);
-    return lines_of({system, system.drawing, system.expectations, system.coding, printer}, false);
+    return lines_of(
+        {system, system.drawing, system.expectations, system.coding, printer, functions}, false);
 }
 
 }  // namespace
@@ -321,11 +322,16 @@ private:
 }  // namespace
 
 std::string format_lsystem(std::string_view text, const std::string& file_name) {
-    const Model system = read_lsystem(text, file_name);
+    OwnFunctions functions(true);
+    const Model system = read_whole(text, file_name, [&](const Source& source, Findings& findings) {
+        Model read = read_system(text, source, findings, file_name, {}, {}, {}, false, &functions);
+        findings.throw_if_any();
+        return read;
+    });
     const bool spaced = std::ranges::any_of(system.declared, [&](Symbol symbol) {
         return is_declared_only(system.alphabet.name(symbol));
     });
-    return Formatter(text, "", spaced).formatted(canonical_lines(system));
+    return Formatter(text, "", spaced).formatted(canonical_lines(system, &functions));
 }
 
 }  // namespace algae

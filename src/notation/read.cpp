@@ -310,11 +310,16 @@ const Quantity* Reading::constant(const std::string& name) const {
 }
 
 Quantity Reading::quantity(const Expression& expression) const {
+    const auto value = [&](const std::string& name) {
+        if (broken.count(name)) throw DependsOnError();
+        return constant(name);
+    };
     try {
-        return evaluate(expression, [&](const std::string& name) {
-            if (broken.count(name)) throw DependsOnError();
-            return constant(name);
-        });
+        if (!functions.keeps_calls()) return evaluate(expression, value);
+        const char* const where = source.text().data() + source.offset(expression.place);
+        Quantity kept = evaluate(functions.expanded(expression, where), value);
+        kept.expression = expression;
+        return kept;
     } catch (const Diagnostics& error) {
         const Diagnostic& finding = error.findings().front();
         throw SyntaxError{source.text().data() + source.offset(finding.place), finding.message};
@@ -555,6 +560,7 @@ void read_inner(const Clause& clause, Reading& outer) {
                     outer.drawing,
                     outer.expectations,
                     outer.coding,
+                    outer.functions,
                     outer.constants,
                     outer.broken,
                     {},
@@ -631,14 +637,27 @@ void check_replaced(const Model& system, const ConstantValues& replaced) {
 Model read_system(std::string_view text, const Source& source, Findings& findings,
                   const std::string& name, const std::vector<std::string>& declared,
                   const std::vector<std::string>& letters, const ConstantValues& replaced,
-                  bool typed) {
+                  bool typed, OwnFunctions* functions) {
     Model system;
     system.name = name;
     Lexicon lexicon(system.alphabet);
+    OwnFunctions own;
+    if (!functions) functions = &own;
+    lexicon.use(*functions);
     for (const std::string& symbol : declared) lexicon.declare(symbol);
-    Reading reading{
-        source, findings, lexicon, system, system.drawing, system.expectations, system.coding,
-        {},     {},       {},      {},     false};
+    Reading reading{source,
+                    findings,
+                    lexicon,
+                    system,
+                    system.drawing,
+                    system.expectations,
+                    system.coding,
+                    *functions,
+                    {},
+                    {},
+                    {},
+                    {},
+                    false};
     reading.replaced = &replaced;
     for (const std::string& letter : letters) reading.declare(letter);
     const std::vector<Clause> all = clauses(text, typed);

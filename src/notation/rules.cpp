@@ -270,7 +270,8 @@ ShapeSuccessor parse_division(std::string_view text, Reading& reading) {
     const auto operation = x3::raw[x3::lit("div") | "repeat" | "Split"][on_operation];
     const auto axis = wanted("an axis, X, Y or Z")[x3::raw[x3::lexeme[+x3::char_("XYZ")]][on_axes]];
     const auto size = grammar::ByHand([&](const char*& first, const char* last) {
-        ShapeSuccessor::Size made{parse_expression(first, last, reading.source), false};
+        ShapeSuccessor::Size made{parse_expression(first, last, reading.source, &reading.functions),
+                                  false};
         if (first != last && *first == 'r') {  // relative
             made.relative = true;
             ++first;
@@ -315,7 +316,8 @@ std::optional<ShapeSuccessor> parse_shape(std::string_view text, const Productio
 }
 
 Rational parse_probability(std::string_view text, Reading& reading) {
-    const Quantity value = reading.quantity(parse_expression(text, reading.source));
+    const Quantity value =
+        reading.quantity(parse_expression(text, reading.source, &reading.functions));
     if (!value.exact)
         throw SyntaxError{text.data(), "expected a rational probability, found " + quoted(text)};
     if (sign(*value.exact) <= 0 || *value.exact > 1)

@@ -38,7 +38,7 @@ using grammar::wanted;
 const char* end_of(const Clause& clause) { return clause.text.data() + clause.text.size(); }
 
 Quantity quantity_of(std::string_view text, const Reading& reading) {
-    return reading.quantity(parse_expression(text, reading.source));
+    return reading.quantity(parse_expression(text, reading.source, &reading.functions));
 }
 
 [[noreturn]] void refuse(std::string_view found, const std::vector<std::string>& names) {
@@ -91,27 +91,88 @@ const std::vector<std::string>& turns() {
 
 // Names and constants.
 
+/// A function's body with the values of constants in place of their names: its calls may stand where a rule gives such a name to a
+/// parameter of its own. Throws `SyntaxError` at `where` if `budget` constants are not enough.
+Expression with_values(Expression body, const std::vector<std::string>& parameters,
+                       const Reading& reading, const char* where, std::size_t& budget) {
+    for (Expression& operand : body.operands)
+        operand = with_values(std::move(operand), parameters, reading, where, budget);
+    if (body.kind != Expression::Kind::name || is_one_of(parameters, body.name)) return body;
+    const Quantity* const value = reading.constant(body.name);
+    if (!value) return body;
+    if (budget-- == 0)
+        throw SyntaxError{where, "the constants of the function stand for more than 10,000 others"};
+    if (value->exact) return quantity(*value->exact).expression;
+    return with_values(reading.functions.expanded(value->expression, where), {}, reading, where,
+                       budget);
+}
+
+/// `f(x,y) = x^2 + y`, from `=` on.
+void read_function(const char* here, const char* end, const std::string_view name,
+                   const std::vector<std::string_view>& parameters, Reading& reading) {
+    if (function_arity(name) || is_one_of(reading.lexicon.systems(), name))
+        throw SyntaxError{name.data(),
+                          "expected another name, " + quoted(name) +
+                              (function_arity(name) ? " is a function already" : " is a system")};
+    OwnFunctions::Function function;
+    function.name = name;
+    for (const std::string_view parameter : parameters) {
+        if (is_one_of(function.parameters, parameter))
+            throw SyntaxError{parameter.data(),
+                              "the parameter " + quoted(parameter) + " is given twice"};
+        function.parameters.emplace_back(parameter);
+    }
+    if (here == end || *here != '=') throw unexpected("'='", here);
+    const std::string_view text = between(here + 1, end);
+    const std::size_t found = reading.findings.count();
+    reading.functions.define(name);
+    function.said = parse_expression(text, reading.source, &reading.functions);
+    reading.check_names(function.said, function.parameters);
+    if (reading.findings.count() > found) throw DependsOnError();
+    std::size_t budget = 10'000;
+    function.body = with_values(reading.functions.expanded(function.said, text.data()),
+                                function.parameters, reading, text.data(), budget);
+    function.constants = reading.system.constants.size();
+    reading.functions.add(std::move(function));
+}
+
 void read_constant(const Clause& clause, Reading& reading) {
     const std::string_view value = clause.value();
     const char* here = value.data();
     const char* const end = here + value.size();
-    std::string name;
+    std::string_view name;
+    std::vector<std::string_view> parameters;
     const auto on_name = [&](auto& c) { name = text_of(x3::_attr(c)); };
-    const auto head = wanted("a constant's name")[x3::raw[grammar::name][on_name]];
+    const auto on_parameter = [&](auto& c) { parameters.push_back(text_of(x3::_attr(c))); };
+    const auto parameter = wanted("a parameter's name")[x3::raw[grammar::name][on_parameter]];
+    const auto head = wanted("a constant's name")[x3::raw[grammar::name][on_name]] >>
+                      -('(' >> parameter % ',' >> wanted("',' or ')'")[x3::lit(')')]);
     x3::phrase_parse(here, end, head, grammar::blank);
+    const std::string said(name);
     try {
-        if (here == end || *here != '=') throw unexpected("'='", here);
-        if (reading.constants.count(name))
+        if (reading.functions.find(name))
             throw SyntaxError{value.data(),
-                              "the constant " + algae::quoted(name) + " is given twice"};
+                              "the function " + algae::quoted(said) + " is given twice"};
+        if (!parameters.empty()) {
+            if (reading.constants.count(said))
+                throw SyntaxError{value.data(), "expected another name, " + algae::quoted(said) +
+                                                    " is a constant"};
+            return read_function(here, end, name, parameters, reading);
+        }
+        if (here == end || *here != '=') throw unexpected("'='", here);
+        if (reading.constants.count(said))
+            throw SyntaxError{value.data(),
+                              "the constant " + algae::quoted(said) + " is given twice"};
         Quantity quantity = quantity_of(between(here + 1, end), reading);
         if (reading.replaced)
             for (const auto& [replaced, other] : *reading.replaced)
                 if (replaced == name) quantity = other;
-        reading.constants.emplace(name, reading.system.constants.size());
-        reading.system.constants.emplace_back(name, std::move(quantity));
+        reading.constants.emplace(said, reading.system.constants.size());
+        reading.system.constants.emplace_back(said, std::move(quantity));
     } catch (...) {
-        reading.broken.insert(name);
+        reading.broken.insert(said);
+        if (!parameters.empty() && !reading.functions.find(said))
+            reading.functions.add_broken(said);
         throw;
     }
 }
@@ -349,7 +410,8 @@ void read_solid(const Clause& clause, Reading& reading) {
 
 Triple point_at(const char*& here, const char* end, Reading& reading) {
     const char* const begin = here;
-    const std::vector<Expression> parts = parse_arguments(here, end, reading.source);
+    const std::vector<Expression> parts =
+        parse_arguments(here, end, reading.source, &reading.functions);
     if (parts.size() != 3)
         throw SyntaxError{begin,
                           "expected a point (x,y,z), found " + counted(parts.size(), "number")};
@@ -585,8 +647,20 @@ Values print_number(const Printing& printing) {
 
 Values print_constants(const Printing& printing) {
     Values out;
-    for (const auto& [name, value] : printing.system.constants)
-        out.push_back(name + " = " + to_text(value.expression));
+    const auto& constants = printing.system.constants;
+    std::size_t printed = 0;
+    const auto constants_up_to = [&](std::size_t end) {
+        for (; printed < end; ++printed)
+            out.push_back(constants[printed].first + " = " +
+                          to_text(constants[printed].second.expression));
+    };
+    if (printing.functions)
+        for (const OwnFunctions::Function& function : printing.functions->all()) {
+            constants_up_to(function.constants);
+            out.push_back(function.name + '(' + joined(function.parameters, ",") +
+                          ") = " + to_text(function.said));
+        }
+    constants_up_to(constants.size());
     return out;
 }
 
@@ -738,7 +812,11 @@ const std::vector<Setting>& settings() {
          outside,
          read_alphabet,
          [](P p) -> Values { return {p.printer.apart(p.system.declared)}; }},
-        {{"let", {"let r1 = 0.9"}, "a constant, by numbers and the constants above it", ""},
+        {{"let",
+          {"let r1 = 0.9", "let f(x) = r1*x^2"},
+          "a constant, or a function of one or more numbers, by numbers and what stands above it; "
+          "[above](#functions)",
+          ""},
          Stage::constant,
          repeats,
          outside,

@@ -60,9 +60,6 @@ struct SystemBlock {
 /// matches its first, those in comments not counted. Linear in the bytes of the block.
 std::optional<SystemBlock> system_block(std::string_view text, std::size_t& bytes);
 
-/// Thrown instead of `SyntaxError` where a statement depends on a faulty one, of which a finding tells already.
-struct DependsOnError {};
-
 /// What a textbook writes in place of a word and a word here does not mean: `a^n`, `...`, or λ alone.
 struct Slip {
     const char* where;
@@ -79,6 +76,7 @@ struct Reading {
     Drawing& drawing;  // of the whole file, as expectations are
     std::vector<Expectation>& expectations;
     Coding& coding;
+    OwnFunctions& functions;
 
     std::unordered_map<std::string, std::size_t> constants;  // to their index in the system
     std::unordered_set<std::string> broken;  // names whose statement was wrong: no further findings
@@ -178,6 +176,7 @@ struct Printing {
     const std::vector<Expectation>& expectations;
     const Coding& coding;
     const Printer& printer;
+    const OwnFunctions* functions;  // whose calls were kept; null for none
 };
 
 /// A statement that begins with a keyword: what users are told of it, when and how it is read, and how it is printed.
@@ -227,10 +226,11 @@ auto read_whole(std::string_view text, const std::string& name, Read read) {
 /// places in the source. `declared` are names of more than one character that are symbols there without
 /// having been declared, `letters` those that an `alphabet` around it declares. The system is meaningless if
 /// findings were added. `replaced` are constants that have these values instead of those of their `let`. In a system that is `typed` on one
-/// line commas separate (`clauses`), and without an axiom it is the letter of the first rule.
+/// line commas separate (`clauses`), and without an axiom it is the letter of the first rule. `functions` gets those that it makes for
+/// itself, if the caller wants to know them.
 Model read_system(std::string_view text, const Source& source, Findings& findings,
                   const std::string& name, const std::vector<std::string>& declared,
                   const std::vector<std::string>& letters, const ConstantValues& replaced = {},
-                  bool typed = false);
+                  bool typed = false, OwnFunctions* functions = nullptr);
 
 }  // namespace algae

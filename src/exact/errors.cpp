@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -119,8 +120,14 @@ void each_part(std::size_t count, unsigned threads, const Budget& budget,
     };
     const std::size_t wanted =
         threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t most = std::min(wanted, count / least);
     std::vector<std::thread> others;
-    for (std::size_t i = 1; i < std::min(wanted, count / least); ++i) others.emplace_back(run);
+    others.reserve(most);
+    try {
+        while (others.size() + 1 < most) others.emplace_back(run);
+    } catch (const std::system_error&) {
+        // The system gives no more of them; those that are there do all parts.
+    }
     run();
     for (std::thread& thread : others) thread.join();
     for (const std::exception_ptr& error : errors)

@@ -55,6 +55,13 @@ TEST_CASE("what is called at each check may stop the work") {
     CHECK_THROWS_AS(budget.check(), Interrupted);
 }
 
+TEST_CASE("all parts are done, where threads can be made and where none can") {
+    // WebAssembly has none: tools/engine --tests runs this too.
+    std::atomic<int> done = 0;
+    each_part(1000, 4, {}, [&]() -> PartWorker { return [&](std::size_t) { ++done; }; });
+    CHECK(done == 1000);
+}
+
 TEST_CASE("a stop of one part, or of making a worker, stops all parts whatever the threads") {
     for (const unsigned threads : {1u, 4u}) {
         CAPTURE(threads);

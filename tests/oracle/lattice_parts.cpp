@@ -148,7 +148,9 @@ bool LatticeParts::come_near(const LatticePart& first, const LatticePart& second
     }
     struct Pair {
         LatticePart first, second;
-        auto operator<=>(const Pair&) const = default;
+        bool operator<(const Pair& other) const {
+            return std::tie(first, second) < std::tie(other.first, other.second);
+        }
     };
     const auto seen = [&](LatticePart a, LatticePart b) {
         // Only the difference counts.

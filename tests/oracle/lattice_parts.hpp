@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,10 @@ struct LatticePart {
     char letter = 'F';
     int heading = 0;
     Place at{0, 0};
-    auto operator<=>(const LatticePart&) const = default;
+    bool operator==(const LatticePart&) const = default;
+    bool operator<(const LatticePart& other) const {
+        return std::tie(letter, heading, at) < std::tie(other.letter, other.heading, other.at);
+    }
 };
 
 class LatticeParts {

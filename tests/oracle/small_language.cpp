@@ -366,7 +366,8 @@ std::set<Relation> SmallLanguage::context_free_relations(const std::map<char, Re
     struct Less {
         bool operator()(const std::vector<Set>& left, const std::vector<Set>& right) const {
             return std::lexicographical_compare(left.begin(), left.end(), right.begin(),
-                                                right.end(), [](const Set& x, const Set& y) {
+                                                right.end(),
+                                                [](const Set& x, const Set& y) -> bool {
                                                     for (std::size_t i = 0; i < most; ++i)
                                                         if (x[i] != y[i]) return y[i];
                                                     return false;

@@ -61,10 +61,14 @@ public:
         return found;
     }
     Set product(const Set& left, const Set& right) const {
+        std::vector<std::size_t> behind;
+        for (std::size_t j = 0; j < words_.size(); ++j)
+            if (right[j]) behind.push_back(j);
         Set found;
-        for (std::size_t i = left._Find_first(); i < left.size(); i = left._Find_next(i))
-            for (std::size_t j = right._Find_first(); j < right.size(); j = right._Find_next(j))
-                if (product_[i][j] < words_.size()) found.set(product_[i][j]);
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            if (left[i])
+                for (const std::size_t j : behind)
+                    if (product_[i][j] < words_.size()) found.set(product_[i][j]);
         return found;
     }
 

@@ -23,7 +23,9 @@ inline oracle::LabelledDomain labelled(const Domain& domain) {
     same.greatest_size = domain.max_size.value_or(same.greatest_size);
     same.greatest_length = domain.max_word_length.value_or(same.greatest_length);
     same.most_letters = domain.letters.value_or(same.most_letters);
-    if (domain.max_number) same.greatest_size = std::min(same.greatest_size, *domain.max_number);
+    if (domain.max_number)
+        same.greatest_size =
+            std::min(same.greatest_size, static_cast<std::size_t>(*domain.max_number));
     return same;
 }
 

@@ -132,8 +132,8 @@ TEST_CASE("rules that are said to exclude each other do, and those that overlap 
                 }));
             RC_LOG() << one.text << "   " << other.text << '\n';
             // The parameters of the second rule have other names there.
-            const std::string second = [&] {
-                std::string text = other.text;
+            const std::string second = [&text_of_other = other.text] {
+                std::string text = text_of_other;
                 for (char& letter : text)
                     letter = letter == 'x' ? 'p' : letter == 'y' ? 'q' : letter;
                 for (std::size_t at; (at = text.find("map(")) != std::string::npos;)

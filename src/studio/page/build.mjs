@@ -2,7 +2,7 @@
 //
 //     node build.mjs FOLDER           page.html and LICENCES.txt, as the command carries them
 //     node build.mjs FOLDER static    the page in parts, which go beside the engines of tools/engine; built/program.mjs for their test
-import { build } from 'esbuild';
+import { build, transform } from 'esbuild';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 
 const target = process.argv[2] ?? '../built';
@@ -24,21 +24,19 @@ if (isStatic) {
   rmSync(`${target}/parts`, { recursive: true, force: true });
   const { metafile } = await build({ ...shared, metafile: true, plugins: [withoutGraphviz], entryPoints: { page: 'src/main.ts' }, format: 'esm', splitting: true, outdir: target, chunkNames: 'parts/[name]-[hash]' });
   // The engine's side of it for the page and, as a module, for its test in node.
-  await build({ ...shared, entryPoints: ['src/worker.ts'], format: 'iife', outfile: `${target}/worker.js` });
+  // What emscripten writes beside engine.wasm stands in the Worker's script, behind what begins to load that.
+  const worker = (await build({ ...shared, entryPoints: ['src/worker.ts'], format: 'iife', write: false })).outputFiles[0].text;
+  writeFileSync(`${target}/worker.js`, worker + (await transform(readFileSync(`${target}/engine.js`, 'utf8'), { minify: true, legalComments: 'none' })).code);
   await build({ ...shared, entryPoints: ['src/program.ts'], format: 'esm', outfile: 'built/program.mjs' });
-  // The engine of figures comes and is compiled while the page's script is still read.
+  // A Worker loads the engine of figures and makes the first picture while the page's script is still read.
+  const early = (await build({ ...shared, entryPoints: ['src/early.ts'], format: 'iife', write: false })).outputFiles[0].text;
   const own = Object.values(metafile.outputs).find((one) => one.entryPoint === 'src/main.ts');
   const preloads = own.imports.filter((one) => one.kind === 'import-statement').map((one) => `<link rel="modulepreload" href="parts/${one.path.split('/').pop()}">\n`);
-  const early = `<script type="module" src="page.js"></script>
-${preloads.join('')}<script>
-var algaeEarly = { module: fetch('engine.wasm').then((found) => {
-  if (!found.ok) throw new Error(found.statusText);
-  return found.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(found) : found.arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
-}), worker: new Worker('worker.js') };
-algaeEarly.module.catch(() => undefined);
-</script>
-`;
-  writeFileSync(`${target}/index.html`, frame.replace('<html lang="en">', '<html lang="en" data-engine="static">').replace('<style>', () => `${early}<style>`).replace(/<script>\s*\/\* script \*\/\s*<\/script>\n/, ''));
+  const loading = `<script>
+${early}</script>
+<script type="module" src="page.js"></script>
+${preloads.join('')}`;
+  writeFileSync(`${target}/index.html`, frame.replace('<html lang="en">', '<html lang="en" data-engine="static">').replace('<style>', () => `${loading}<style>`).replace(/<script>\s*\/\* script \*\/\s*<\/script>\n/, ''));
   process.exit(0);
 }
 const made = await build({ ...shared, entryPoints: ['src/main.ts'], format: 'iife', metafile: true, write: false });

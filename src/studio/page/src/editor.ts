@@ -151,18 +151,21 @@ function offset(doc: Text, place: Position): number {
 }
 
 export class Editor {
-  readonly view: EditorView;
+  private made: EditorView | null = null;
   private kind: Kind = 'system';
   private readonly documents = new Map<Kind, EditorState>();
   private readonly latest = new Latest();
   private readonly label = new Compartment();
 
   constructor(
-    parent: HTMLElement,
+    private readonly parent: HTMLElement,
     private readonly changed: (kind: Kind, text: string) => void,
     private readonly found: (count: number, first: string) => void,
-  ) {
-    this.view = new EditorView({ parent, state: this.fresh('', 'system') });
+  ) {}
+
+  /** Made when a document is shown first, as it takes longer to make than the rest of the page, which a first picture waits for. */
+  get view(): EditorView {
+    return (this.made ??= new EditorView({ parent: this.parent, state: this.fresh('', this.kind) }));
   }
 
   private fresh(text: string, kind: Kind): EditorState {
@@ -199,11 +202,17 @@ export class Editor {
 
   /** Shows one of the documents, with this text. */
   show(kind: Kind, text: string): void {
-    this.documents.set(this.kind, this.view.state);
+    if (this.made) this.documents.set(this.kind, this.made.state);
     this.kind = kind;
     const before = this.documents.get(kind);
-    this.view.setState(before && before.doc.toString() === text ? before : this.fresh(text, kind));
+    const state = before && before.doc.toString() === text ? before : this.fresh(text, kind);
+    if (this.made) this.made.setState(state);
+    else this.made = new EditorView({ parent: this.parent, state });
     void this.diagnose();
+  }
+
+  holds(text: string): boolean {
+    return this.made?.state.doc.toString() === text;
   }
 
   /** Replaces the text of the document that is shown; can be undone. */
@@ -227,7 +236,8 @@ export class Editor {
     if (this.kind === 'claim') this.view.dispatch({ effects: setVerdicts.of(found) });
   }
   point(line: number | null): void {
-    if (this.kind === 'system') this.view.dispatch({ effects: pointAt.of(line) });
+    if (this.kind !== 'system' || (line === null && !this.made?.state.field(pointed).size)) return;
+    this.view.dispatch({ effects: pointAt.of(line) });
   }
   focus(): void {
     this.view.focus();

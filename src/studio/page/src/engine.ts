@@ -1,8 +1,11 @@
 // Who answers the page's questions: the server that it came from, or, where the page is a folder of static files, the engine as
 // WebAssembly in Workers. Both take the same questions and give the same answers; the page only knows this face.
 
-import type { FromWorker } from './worker';
+import type { Early } from './early';
+import { load } from './load';
+import type { Said } from './program';
 import { texts } from './texts';
+import type { FromWorker, ToWorker } from './worker';
 
 export interface Head {
   status: number;
@@ -94,8 +97,15 @@ interface Task {
   fail: (error: unknown) => void;
 }
 
-/** What a page of static files begins to load before its script is read (build.mjs). */
-declare const algaeEarly: { module: Promise<WebAssembly.Module>; worker: Worker } | undefined;
+/** What a page of static files begins before its script is read. */
+declare const algaeEarly: Early | undefined;
+
+function noAnswer(end: Head['end'], { seconds }: Task): Answer {
+  return { status: 3, end, said: '', seconds, bytes: new Uint8Array(0) };
+}
+function answerFrom({ status, said, broken, bytes }: Said, task: Task): Answer {
+  return broken ? noAnswer('broken', task) : { status, end: 'answered', said, seconds: task.seconds, bytes };
+}
 
 /** The engines in Workers. A Worker has one question at a time; to end the question is to end the Worker, and the next one gets the compiled
  * module, which is what takes long to make. */
@@ -106,11 +116,30 @@ class Workers implements Engine {
   private readonly waiting: Task[] = [];
   private readonly stops = new Map<Task, () => void>();
   private running = 0;
+  private early: Early | null = null;
 
   constructor(private readonly most: number) {
     if (typeof algaeEarly === 'undefined') return;
-    this.coming.set('engine', algaeEarly.module);
-    this.idle.push(algaeEarly.worker);
+    const { worker, module, isFree } = (this.early = algaeEarly);
+    this.coming.set('engine', module);
+    ++this.running;
+    void isFree.then((free) => {
+      if (free) this.idle.push(worker);
+      else worker.terminate();
+      --this.running;
+      this.work();
+    });
+  }
+
+  /** The answer that the page asked for before its script was there, if this is its question. */
+  private asked(question: Question): Promise<Said> | null {
+    const first = this.early?.question;
+    if (!first) return null;
+    const { question: name, text, pixels, ...more } = question;
+    if (name !== first.question || text !== first.text || Number(pixels) > first.pixels || Object.keys(more).length > 0) return null;
+    const { said } = this.early!;
+    this.early = null;
+    return said;
   }
 
   lacks(question: string): string | null {
@@ -125,18 +154,31 @@ class Workers implements Engine {
     const reason = this.lacks(String(question['question']));
     if (reason) return Promise.reject(refuse(reason));
     return new Promise((done, fail) => {
-      const asked = Number(question['seconds']);
-      const task: Task = { program: programOf(question), question, seconds: asked > 0 && asked < usualSeconds ? asked : usualSeconds, progress, done, fail };
+      const seconds = Number(question['seconds']);
+      const task: Task = { program: programOf(question), question, seconds: seconds > 0 && seconds < usualSeconds ? seconds : usualSeconds, progress, done, fail };
       if (signal?.aborted) return fail(signal.reason);
+      const early = this.asked(question);
+      if (early) {
+        signal?.addEventListener('abort', () => fail(signal.reason));
+        early.then(
+          (found) => done(answerFrom(found, task)),
+          () => void this.wait(task),
+        );
+        return;
+      }
       signal?.addEventListener('abort', () => {
         const at = this.waiting.indexOf(task);
         if (at >= 0) this.waiting.splice(at, 1);
         fail(signal.reason);
         this.stops.get(task)?.();
       });
-      this.waiting.push(task);
-      void this.prepare(task.program);
+      void this.wait(task);
     });
+  }
+
+  private wait(task: Task): Promise<void> {
+    this.waiting.push(task);
+    return this.prepare(task.program);
   }
 
   /** Loads a program if it is not there, and goes on with what waits for it; if it cannot be loaded it is tried again with the next question. */
@@ -178,7 +220,7 @@ class Workers implements Engine {
     };
     const broken = (why: Head['end']): void => {
       end(false);
-      task.done({ status: 3, end: why, said: '', seconds: task.seconds, bytes: new Uint8Array(0) });
+      task.done(noAnswer(why, task));
     };
     // The engine says itself when its time is over; this is for work that does not look.
     const clock = setTimeout(() => broken('time'), (task.seconds + 2) * 1000);
@@ -187,20 +229,12 @@ class Workers implements Engine {
     worker.onmessage = (event: MessageEvent<FromWorker>) => {
       const found = event.data;
       if ('progress' in found) return task.progress(found.progress);
-      if (found.broken) return broken('broken');
-      end(true);
-      task.done({ status: found.status, end: 'answered', said: found.said, seconds: task.seconds, bytes: found.bytes });
+      if ('module' in found) return;
+      end(!found.broken);
+      task.done(answerFrom(found, task));
     };
-    worker.postMessage({ program: task.program, module: this.modules.get(task.program)!, question: task.question, seconds: task.seconds });
+    worker.postMessage({ program: task.program, module: this.modules.get(task.program)!, question: task.question, seconds: task.seconds } satisfies ToWorker);
   }
-}
-
-/** Compiled while it comes, where the server of the files says what they are. */
-async function load(file: string): Promise<WebAssembly.Module> {
-  const response = await fetch(file);
-  if (!response.ok) throw new Error(response.statusText);
-  if (response.headers.get('Content-Type') === 'application/wasm') return WebAssembly.compileStreaming(response);
-  return WebAssembly.compile(await response.arrayBuffer());
 }
 
 /** A page of static files says so in its first element. */

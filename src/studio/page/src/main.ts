@@ -4,7 +4,7 @@ import { askJson, Latest, Refusal } from './ask';
 import { ClaimsTab } from './claims';
 import { DerivationTab } from './derivation';
 import { DimensionTab } from './dimension';
-import { download, el, speak } from './dom';
+import { download, el, later, speak } from './dom';
 import { Editor } from './editor';
 import { engine, isStatic } from './engine';
 import { FigureTab } from './figure';
@@ -75,7 +75,8 @@ function showDocument(kind: Kind): void {
   }
 }
 
-function showTab(): void {
+/** Ends when the panel shows what it is for. */
+function showTab(): Promise<void> | void {
   for (const tab of tabs) {
     const isShown = tab === state.tab;
     tabButtons[tab].setAttribute('aria-selected', String(isShown));
@@ -87,7 +88,7 @@ function showTab(): void {
   const wanted: Kind = state.tab === 'claims' ? 'claim' : state.tab === 'lessons' ? 'answer' : 'system';
   if (wanted !== documentShown) showDocument(wanted);
   if (state.tab !== 'derivation') editor.point(null);
-  void panels[state.tab].update();
+  return panels[state.tab].update();
 }
 
 /** Arrow keys within a list of tabs. */
@@ -132,9 +133,9 @@ listen((changed) => {
     panels.dimension.forget();
     void lookAtSystem();
   }
-  if (changed.has('tab')) showTab();
-  if (changed.has('system') && documentShown === 'system' && editor.view.state.doc.toString() !== state.system) editor.show('system', state.system);
-  if (changed.has('claim') && documentShown === 'claim' && editor.view.state.doc.toString() !== state.claim) editor.show('claim', state.claim);
+  if (changed.has('tab')) void showTab();
+  if (changed.has('system') && documentShown === 'system' && !editor.holds(state.system)) editor.show('system', state.system);
+  if (changed.has('claim') && documentShown === 'claim' && !editor.holds(state.claim)) editor.show('claim', state.claim);
   if (changed.has('embed')) document.body.classList.toggle('embed', state.embed);
   void panels[state.tab].update();
 });
@@ -368,10 +369,14 @@ async function begin(): Promise<void> {
   if (location.hash.length > 1) await fromLink(location.hash.slice(1), (look) => panels.figure.lookAt(look));
   if (state.embed) void linkToWhole();
   addEventListener('hashchange', () => void fromLink(location.hash.slice(1), (look) => panels.figure.lookAt(look)).then(() => showDocument(documentShown)));
-  showDocument('system');
-  showTab();
+  // A picture that comes at once is on the screen before the editor is made.
+  const kind = documentShown;
+  await Promise.race([showTab(), later(firstWait)]);
+  await Promise.race([new Promise((done) => requestAnimationFrame(() => setTimeout(done))), later(firstWait)]);
+  if (kind === documentShown) showDocument(kind);
   void lookAtSystem();
 }
+const firstWait = 100; // milliseconds
 void begin();
 
 /** For the tests that measure: when the last figure was on the canvas. */

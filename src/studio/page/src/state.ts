@@ -1,5 +1,7 @@
 // What the page shows, who wants to know when that changes, and the link that holds it.
 
+import { firstSystem } from './first';
+
 export type Kind = 'system' | 'claim' | 'answer';
 export type Tab = 'figure' | 'derivation' | 'growth' | 'language' | 'claims' | 'dimension' | 'lessons';
 export const tabs: Tab[] = ['figure', 'derivation', 'growth', 'language', 'claims', 'dimension', 'lessons'];
@@ -24,13 +26,6 @@ export interface PackedExercise {
   text: string;
 }
 
-const koch = `title  Koch curve
-axiom  F
-F -> F+F--F+F
-angle  60
-generation 4
-`;
-
 const claim = `claim  A union of two 0L languages that is not one
 let A = {a}
 let B = {aa}
@@ -40,7 +35,7 @@ show A | B is not 0L
 `;
 
 export const state: State = {
-  system: koch,
+  system: firstSystem,
   claim,
   answer: '',
   file: 'koch.lsys',

@@ -50,22 +50,30 @@ private:
     std::string notation() {
         std::string text;
         std::set<std::string> names;
-        std::string constants;
         for (const auto& [called, value] : system_.constants) {
-            constants += "let " + called + " = " +
-                         expression(value, {}, system_.integers.contains(called)) + "\n";
+            constants_ += "let " + called + " = " +
+                          expression(value, {}, system_.integers.contains(called)) + "\n";
             known_.emplace(called, called);
         }
-        if (!dialect_.python && !dialect_.plus) {
-            known_.emplace("Q", "");
+        if (!dialect_.python && !dialect_.plus)
             known_.emplace("Z", system_.generation.empty() ? "0" : system_.generation);
-        }
         rewrites_cut_ = std::ranges::any_of(
             system_.rules, [](const CpfgRule& rule) { return rule.predecessor.symbol == "%"; });
         system_ = with_single_predecessors(source_, dialect_, std::move(system_));
         add_decompositions();
-        std::string axiom = written(modules(system_.axiom), {});
-        const std::string rules = rule_lines();
+        name_steps();
+        mark_cuts();
+        mark_branches();
+        check_first_branches();
+        pad_rules();
+        std::string axiom = axiom_word();
+        std::string rules = rule_lines();
+        if (!counted_.empty()) {
+            axiom = std::string(counter) + "(1) " + axiom;
+            rules += std::string(counter) + "(n) -> " + counter + "(n + 1)\n";
+        }
+        if (!padded_.empty()) axiom = std::string(weight_of_rules) + " " + axiom;
+        if (met_.contains(coming_cut)) rules += std::string(coming_cut) + " -> %\n";
         std::string interpret;
         std::set<std::string> interpreted;
         const auto kind = [&](const CpfgModule& module) {
@@ -79,13 +87,18 @@ private:
                 refuse(rule.place, "a homomorphism with contexts or weights",
                        "has no meaning in the notation");
             const std::set<std::string> own = formals(rule);
+            if (reads_step(rule.condition ? *rule.condition : Placed{}, own) ||
+                reads_step(modules(rule.successor), own))
+                refuse(rule.place, "Q in a homomorphism",
+                       "is the number of the step, which only rules know in the notation");
             std::vector<CpfgModule> image =
                 drawn(modules(rule.successor), system_.drawn_depth, interpreted);
             interpret += "interpret " +
-                         head(rule, rule.condition ? expression(*rule.condition, own) : "") +
+                         head(rule, rule.condition ? expression(*rule.condition, own) : "", "") +
                          " -> " + written(image, own) + "\n";
         }
-        check_branches();
+        if (met_.contains(coming_cut))
+            interpret += std::string("interpret ") + coming_cut + " -> %\n";
         check_cuts();
         check_moves();
         check_commands();
@@ -103,7 +116,7 @@ private:
         for (const std::string& symbol : met_)
             if (undeclared_length(symbol) != symbol.size()) longer.push_back(symbol);
         if (!longer.empty()) text += "alphabet " + joined(longer, " ") + "\n";
-        text += constants + "axiom " + axiom + "\n" + rules;
+        text += constants_ + "axiom " + axiom + "\n" + rules;
         if (system_.ignored) text += ignored_line(modules(*system_.ignored));
         if (system_.considered) text += considered_line();
         text += interpret;
@@ -112,10 +125,20 @@ private:
         return text;
     }
 
+    /// The axiom, where no step was made.
+    std::string axiom_word() {
+        const CpfgNames known = known_;
+        if (!step_.empty()) known_["Q"] = "0";
+        std::string word = written(ended(modules(system_.axiom)), {});
+        known_ = known;
+        return word;
+    }
+
     /// The symbol's name there.
     std::string name(const CpfgModule& module) const {
         const std::string& symbol = module.symbol;
         if (dialect_.plus && std::ranges::count(system_.modules, symbol) > 0) return symbol;
+        if (symbol == gone_from_here) return "%";
         if (symbol.size() > 1)
             return std::string_view("@~?").find(symbol[0]) == std::string_view::npos
                        ? symbol
@@ -131,6 +154,7 @@ private:
             refuse(module.place, "the symbol " + symbol, "stands before no symbol");
         if (c == '%' && (rewrites_cut_ || !module.arguments.empty())) return "X_37";
         if (c == '%' && !cut_) cut_ = module.place;
+        if (c == '%' && cuts_later_) return coming_cut;
         if (c == 'g' && !move_) move_ = module.place;
         if (c == '{' && !polygon_) polygon_ = module.place;
         if (module.has_arguments && (c == '{' || c == '}' || c == '.'))
@@ -261,14 +285,27 @@ private:
         return text;
     }
 
-    std::string head(const CpfgRule& rule, const std::string& condition) {
+    std::string head(const CpfgRule& rule, const std::string& condition,
+                     const std::string& elsewhere) {
         const std::set<std::string> names = formals(rule);
         std::string text;
         if (!rule.left.empty()) text += written(rule.left, names) + " < ";
         text += written({rule.predecessor}, names);
         if (!rule.right.empty()) text += " > " + written(rule.right, names);
+        if (!elsewhere.empty()) text += " ? " + elsewhere;
         if (!condition.empty()) text += " : " + condition;
         return text;
+    }
+
+    /// What a rule asks of the word at large: the number of the step, and the letter that gives it as many modules as the others for its
+    /// letter have.
+    std::string elsewhere(const CpfgRule& rule) const {
+        std::vector<std::string> all;
+        if (counted_.contains(rule.letter()))
+            all.push_back(std::string(counter) + "(" + step_ + ")");
+        if (const auto most = padded_.find(rule.letter()); most != padded_.end())
+            all.resize(all.size() + most->second - rule.reach(), weight_of_rules);
+        return joined(all, ", ");
     }
 
     /// A text in which names stand for others, those of the same places.
@@ -474,8 +511,8 @@ private:
                       const std::string& arrow = "->") {
         std::string text;
         for (const Case& one : successors(rule))
-            text += head(rule, both(condition, one.condition)) + " " + arrow + " " +
-                    written(one.word, formals(rule)) + "\n";
+            text += head(rule, both(condition, one.condition), elsewhere(rule)) + " " + arrow +
+                    " " + written(ended(one.word), formals(rule)) + "\n";
         return text;
     }
 
@@ -542,27 +579,208 @@ private:
         return last;
     }
 
-    /// `[B]` is a whole branch there and the beginning of one in the notation.
-    void check_branches() const {
-        if (dialect_.python) return;
-        const std::set<std::string> last = last_letters();
-        for (const CpfgRule& rule : system_.rules)
-            for (std::size_t i = 1; i < rule.right.size(); ++i) {
-                const CpfgModule &before = rule.right[i - 1], &end = rule.right[i];
-                if (end.symbol != "]" || before.open || last.contains(before.symbol)) continue;
-                refuse(end.place, "a branch in a context that ends without =",
-                       "is the whole branch there, and has no meaning in the notation: say [" +
-                           before.symbol + "=] for one that begins so");
-            }
+    bool has_contexts() const {
+        return std::ranges::any_of(system_.rules, [](const CpfgRule& rule) {
+            return !rule.left.empty() || !rule.right.empty();
+        });
     }
 
-    /// What is cut stays in the words of the notation, where contexts would see it.
+    /// What `%` cuts is gone after the next step there, and stays in the words of the notation behind a `%` that no context sees past. In
+    /// the step itself it is seen by contexts that skip `%` or name it: then % is a letter of its own at first.
+    void mark_cuts() {
+        if (rewrites_cut_ || !has_contexts()) return;
+        const auto is_cut = [](const CpfgModule& module) {
+            return module.symbol == "%" && module.arguments.empty();
+        };
+        const auto holds = [&](const std::vector<CpfgModule>& word) {
+            return std::ranges::any_of(word, is_cut);
+        };
+        bool skipped = system_.considered && !holds(modules(*system_.considered));
+        skipped = skipped || (system_.ignored && holds(modules(*system_.ignored)));
+        for (const CpfgRule& rule : system_.rules)
+            skipped = skipped || holds(rule.left) || holds(rule.right);
+        cuts_later_ = skipped;
+    }
+
+    /// `[B]` in a context is a whole branch there and the beginning of one in the notation: where a letter may follow B, each branch gets
+    /// a last letter, which stands in the context too, or `%`, behind which nothing is left.
+    void mark_branches() {
+        if (dialect_.python) return;
+        const std::set<std::string> last = last_letters();
+        const auto is_whole = [&](const CpfgRule& rule, std::size_t i) {
+            return rule.right[i].symbol == "]" && !rule.right[i - 1].open &&
+                   !last.contains(rule.right[i - 1].symbol);
+        };
+        for (const CpfgRule& rule : system_.rules)
+            for (std::size_t i = 1; i < rule.right.size(); ++i)
+                ends_branches_ = ends_branches_ || is_whole(rule, i);
+        if (!ends_branches_) return;
+        cuts_later_ = cuts_later_ || holds_cut();
+        constexpr std::size_t most = 4;
+        std::vector<CpfgRule> all;
+        for (const CpfgRule& rule : system_.rules) {
+            std::vector<std::size_t> ends;
+            for (std::size_t i = 1; i < rule.right.size(); ++i)
+                if (is_whole(rule, i)) ends.push_back(i);
+            if (ends.size() > most)
+                refuse(rule.place, "a context with more than 4 whole branches",
+                       "would take too many rules of the notation");
+            const std::size_t sets = holds_cut() ? std::size_t{1} << ends.size() : 1;
+            for (std::size_t set = 0; set < sets; ++set) {
+                CpfgRule one = rule;
+                for (std::size_t k = ends.size(); k-- > 0;) {
+                    CpfgModule end;
+                    end.symbol = (set >> k & 1) != 0 ? gone_from_here : end_of_branch;
+                    end.place = rule.right[ends[k]].place;
+                    one.right.insert(one.right.begin() + static_cast<std::ptrdiff_t>(ends[k]),
+                                     std::move(end));
+                }
+                all.push_back(std::move(one));
+            }
+        }
+        system_.rules = std::move(all);
+    }
+    /// Whether some word of the system has `%` that cuts.
+    bool holds_cut() const {
+        const auto holds = [&](const Placed& word) {
+            return std::ranges::any_of(modules(word), [](const CpfgModule& module) {
+                return module.symbol == "%" && module.arguments.empty();
+            });
+        };
+        return !rewrites_cut_ &&
+               (holds(system_.axiom) ||
+                std::ranges::any_of(system_.rules,
+                                    [&](const CpfgRule& rule) { return holds(rule.successor); }) ||
+                std::ranges::any_of(system_.decomposition,
+                                    [&](const CpfgRule& rule) { return holds(rule.successor); }));
+    }
+    /// A word with the last letter of each branch, if branches have one.
+    std::vector<CpfgModule> ended(std::vector<CpfgModule> word) const {
+        if (!ends_branches_) return word;
+        std::vector<CpfgModule> all;
+        for (CpfgModule& module : word) {
+            if (module.symbol == "]") {
+                CpfgModule end;
+                end.symbol = end_of_branch;
+                end.place = module.place;
+                all.push_back(std::move(end));
+            }
+            all.push_back(std::move(module));
+        }
+        return all;
+    }
+
+    /// A branch in a context is the first one there, and any of those that stand together in the notation.
+    void check_first_branches() const {
+        if (dialect_.python) return;
+        const auto is_open = [](const CpfgModule& module) { return module.symbol == "["; };
+        if (std::ranges::none_of(system_.rules, [&](const CpfgRule& rule) {
+                return std::ranges::any_of(rule.right, is_open);
+            }))
+            return;
+        std::set<std::string> skipped, seen{"[", "]"};
+        if (system_.ignored)
+            for (const CpfgModule& module : modules(*system_.ignored))
+                skipped.insert(module.symbol);
+        if (system_.considered)
+            for (const CpfgModule& module : modules(*system_.considered))
+                seen.insert(module.symbol);
+        std::vector<CpfgWord> words;
+        const auto add = [&](const std::string& owner, const std::vector<CpfgModule>& word) {
+            words.push_back({owner, {}});
+            for (const CpfgModule& module : word) {
+                words.back().letters.push_back(module.symbol);
+                if (system_.considered && !seen.contains(module.symbol))
+                    skipped.insert(module.symbol);
+            }
+        };
+        add("", modules(system_.axiom));
+        for (const CpfgRule& rule : system_.rules)
+            for (const Case& one : successors(rule)) add(rule.predecessor.symbol, one.word);
+        for (const CpfgRule& rule : system_.rules)
+            if (!only_first_branches_match(rule.right, words, skipped))
+                refuse(std::ranges::find_if(rule.right, is_open)->place, "a branch in a context",
+                       "is the first of those that stand together there, and any of them in the "
+                       "notation: expected words in which no other of them begins so");
+    }
+
+    /// What stands behind `%` in a branch stays behind it, as long as no rule closes that branch.
     void check_cuts() const {
         if (!cut_) return;
-        for (const CpfgRule& rule : system_.rules)
-            if (!rule.left.empty() || !rule.right.empty())
-                refuse(*cut_, "% beside contexts",
-                       "cuts words there and figures in the notation, so contexts see what is cut");
+        for (const CpfgRule& rule : system_.rules) {
+            bool closes = rule.predecessor.symbol == "[" || rule.predecessor.symbol == "]";
+            for (const Case& one : successors(rule)) {
+                int open = 0;
+                for (const CpfgModule& module : one.word) {
+                    open += module.symbol == "[" ? 1 : module.symbol == "]" ? -1 : 0;
+                    closes = closes || open < 0;
+                }
+                closes = closes || open != 0;
+            }
+            if (closes)
+                refuse(*cut_, "% beside rules that open or close a branch alone",
+                       "cuts words there and figures in the notation, where what is cut could end "
+                       "the branch");
+        }
+    }
+
+    // --- The number of the step ---
+
+    /// Whether an expression reads Q, and no parameter of this name.
+    bool reads_step(const Placed& text, const std::set<std::string>& names) const {
+        if (dialect_.python || dialect_.plus || names.contains("Q")) return false;
+        for (std::size_t i = 0; i < text.text.size();) {
+            const std::string name = name_at(text, i);
+            if (name == "Q") return true;
+            i += std::max<std::size_t>(name.size(), 1);
+        }
+        return false;
+    }
+    bool reads_step(const std::vector<CpfgModule>& word, const std::set<std::string>& names) const {
+        return std::ranges::any_of(word, [&](const CpfgModule& module) {
+            return std::ranges::any_of(module.arguments, [&](const Placed& argument) {
+                return reads_step(argument, names);
+            });
+        });
+    }
+    /// Q is the parameter of a first letter that counts steps, which rules for letters that read it look for.
+    void name_steps() {
+        if (dialect_.python || dialect_.plus) return;
+        step_ = "Q_";
+        bool is_taken = true;
+        while (is_taken) {
+            is_taken = std::ranges::any_of(
+                system_.rules, [&](const CpfgRule& rule) { return formals(rule).contains(step_); });
+            if (is_taken) step_ += "_";
+        }
+        for (const CpfgRule& rule : system_.rules) {
+            const std::set<std::string> names = formals(rule);
+            bool reads = rule.condition && reads_step(*rule.condition, names);
+            reads = reads || reads_step(modules(rule.successor), names);
+            for (const CpfgRule& one : system_.decomposition)
+                reads = reads || (one.condition && reads_step(*one.condition, formals(one))) ||
+                        reads_step(modules(one.successor), formals(one));
+            if (reads) counted_.insert(rule.letter());
+        }
+        known_["Q"] = step_;
+    }
+
+    /// Where rules of one letter have longer contexts behind shorter ones, the first that applies is used there, and here too if all of them
+    /// ask for as many modules: a first letter of the word stands for those that are missing.
+    void pad_rules() {
+        if (system_.stochastic) return;
+        std::map<std::string, std::size_t> least, most;  // of rules with contexts, of all
+        std::set<std::string> mixed;
+        for (const CpfgRule& rule : system_.rules) {
+            const std::string letter = rule.letter();
+            const std::size_t reach = rule.reach();
+            most[letter] = std::max(most[letter], reach);
+            if (rule.left.empty() && rule.right.empty()) continue;
+            const auto [before, is_first] = least.try_emplace(letter, reach);
+            if (before->second < reach) mixed.insert(letter);
+            before->second = std::min(before->second, reach);
+        }
+        for (const std::string& letter : mixed) padded_[letter] = most[letter];
     }
 
     /// g leaves no corner; the notation has no move that does so.
@@ -584,6 +802,24 @@ private:
         return expression(with(*earlier.condition, values), formals(rule));
     }
 
+    /// Whether no parameters of a rule make two conditions true, as far as the notation sees it.
+    bool exclude_each_other(const std::string& one, const std::string& other,
+                            const CpfgRule& rule) const {
+        if (other.empty()) return false;
+        std::vector<std::string> names = formal_order(rule);
+        if (counted_.contains(rule.letter())) names.push_back(step_);
+        const std::string head =
+            "A" + (names.empty() ? "" : "(" + joined(names, ",") + ")") + " : ";
+        const std::string text =
+            constants_ + "axiom A\n" + head + one + " -> B\n" + head + other + " -> C\n";
+        try {
+            const Model both = read_lsystem(text, "");
+            return overlaps(both).empty();
+        } catch (const Error&) {
+            return false;  // a constant without a value
+        }
+    }
+
     /// The rules in the notation, where the longest context comes first and not the first rule.
     std::string rule_lines() {
         std::string text;
@@ -602,16 +838,21 @@ private:
             bool reached = true;
             for (const CpfgRule* other : earlier) {
                 const bool anywhere = other->left.empty() && other->right.empty();
-                if (other->reach() < rule.reach() && !anywhere)
-                    refuse(rule.place, "a rule with longer contexts behind one with shorter ones",
-                           "is not used there if the first applies; the notation would use it: "
-                           "move it above, if that is meant");
-                if (!anywhere && contexts(*other) != contexts(rule)) continue;
+                const bool same = contexts(*other) == contexts(rule);
+                if (!anywhere && !same) continue;
                 if (!other->condition) {
                     reached = false;
                     break;
                 }
-                const std::string no = "!(" + condition_of(*other, rule) + ")";
+                if (!same && padded_.contains(rule.letter())) continue;
+                const std::string before_it = condition_of(*other, rule);
+                const std::optional<bool> always = known(before_it);
+                if (always && *always) {
+                    reached = false;
+                    break;
+                }
+                if (always || exclude_each_other(before_it, condition, rule)) continue;
+                const std::string no = "!(" + before_it + ")";
                 condition = condition.empty() ? no : no + " & (" + condition + ")";
             }
             earlier.push_back(&rule);
@@ -699,7 +940,7 @@ private:
         return names.empty() ? "" : "ignore " + spaced_word(names) + "\n";
     }
     std::string considered_line() const {
-        std::set<std::string> seen{"[", "]"};
+        std::set<std::string> seen{"[", "]", end_of_branch, "%"};
         for (const CpfgModule& module : modules(*system_.considered)) seen.insert(name(module));
         std::vector<std::string> names;
         for (const std::string& symbol : met_)
@@ -718,7 +959,18 @@ private:
         return cpfg_expression(source_, dialect_, text, names, known_, integers);
     }
 
+    // Letters of the notation that the file has not.
+    static constexpr const char *counter = "X_81",          // counts the steps
+        *weight_of_rules = "X_60",                          // stands for modules of contexts
+            *end_of_branch = "X_93", *coming_cut = "X_38",  // a % that cuts from the next step on
+                                         *gone_from_here =
+                                             "%%";  // in a context: the % of a cut that was made
+
     CpfgNames known_;
+    std::string constants_, step_;
+    std::set<std::string> counted_;              // letters with rules that read the step
+    std::map<std::string, std::size_t> padded_;  // letters whose rules ask for so many modules
+    bool cuts_later_ = false, ends_branches_ = false;
     std::vector<CpfgRule> added_;
     bool rewrites_cut_ = false;
     mutable std::set<std::string> integer_formals_;  // of the rule whose names were asked for last

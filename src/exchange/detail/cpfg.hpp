@@ -214,6 +214,18 @@ inline bool is_cpfg_command(const std::string& symbol) {
     return std::string_view("@~?").find(symbol[0]) != std::string_view::npos;
 }
 
+/// The axiom, whose owner is empty, or a successor of its owner, by symbols.
+struct CpfgWord {
+    std::string owner;
+    std::vector<std::string> letters;
+};
+
+/// Whether each branch that a right context names can only be the first of the branches that stand together in words, as it is meant
+/// there. Contexts skip these symbols. False where a bracket has no partner in its word.
+bool only_first_branches_match(const std::vector<CpfgModule>& context,
+                               const std::vector<CpfgWord>& words,
+                               const std::set<std::string>& skipped);
+
 /// The same system with one module as predecessor of each rule, and with rules for commands where a rule rewrites a part of one. Throws
 /// Diagnostics where that cannot be said by rules of the notation.
 CpfgSystem with_single_predecessors(const Source& source, const CpfgDialect& dialect,

@@ -40,6 +40,7 @@ const std::vector<SystemFormat>& system_formats() {
         {"l", "a file of systems of Fractint, of which FILE.l:NAME is one, or of cpfg", read_l,
          print_fractint},
         {"cpfg", "a system of cpfg", read_cpfg, print_cpfg},
+        {"lpfg", "the declarative part of a program of lpfg", read_lpfg, print_lpfg},
         {"lpy", "the declarative part of a system of L-Py", read_lpy, print_lpy},
         {"inkscape", "the fields of Inkscape's L-system", read_inkscape, print_inkscape},
         {"tikz", "a system of the TikZ library lindenmayersystems", read_tikz, print_tikz},

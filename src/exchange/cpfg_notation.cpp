@@ -157,7 +157,7 @@ private:
         if (c == '%' && cuts_later_) return coming_cut;
         if (c == 'g' && !move_) move_ = module.place;
         if (c == '{' && !polygon_) polygon_ = module.place;
-        if (module.has_arguments && (c == '{' || c == '}' || c == '.'))
+        if (!module.arguments.empty() && (c == '{' || c == '}' || c == '.'))
             refuse(module.place, "the symbol " + symbol + " with a number",
                    "belongs to generalized cylinders, which have no meaning in the notation");
         if (c == '=' || c == ':' || c == '<' || c == '>')
@@ -482,11 +482,13 @@ private:
                 for (CpfgModule& one : drawn(image_of(module, *rule, values, "a homomorphism"),
                                              depth - 1, interpreted))
                     found.push_back(std::move(one));
-            } else if (module.symbol == "F" || module.symbol == "f") {
-                module.symbol += "_h";
+            } else if (module.symbol == "F" || module.symbol == "f" || module.symbol == "G") {
+                // Outside polygons G is a stroke as F is.
+                if (module.symbol == "G" && !line_) line_ = module.place;
+                module.symbol = module.symbol == "f" ? "f_h" : "F_h";
                 found.push_back(std::move(module));
             } else if (!std::isalpha(static_cast<unsigned char>(module.symbol[0])) ||
-                       module.symbol == "G" || module.symbol == "g") {
+                       module.symbol == "g") {
                 refuse(module.place, "a homomorphism of what a homomorphism gives",
                        "is applied " +
                            (system_.drawn_depth == 1
@@ -785,6 +787,9 @@ private:
 
     /// g leaves no corner; the notation has no move that does so.
     void check_moves() const {
+        if (line_ && polygon_)
+            refuse(*line_, "G in a homomorphism of G beside polygons",
+                   "leaves no corner, and the notation has no other name for it");
         if (move_ && polygon_)
             refuse(*move_, "g beside polygons",
                    "leaves no corner, and a move of the notation does");
@@ -976,7 +981,7 @@ private:
     mutable std::set<std::string> integer_formals_;  // of the rule whose names were asked for last
     std::set<std::string> met_, met_kinds_;  // symbols, and with the number of their parameters
     mutable std::size_t steps_ = 0;          // of decompositions and homomorphisms
-    mutable std::optional<std::size_t> cut_, move_, polygon_;  // where the first stands
+    mutable std::optional<std::size_t> cut_, move_, line_, polygon_;  // where the first stands
 };
 
 }  // namespace

@@ -57,11 +57,7 @@ public:
         }
         out += header + "Axiom: " + word(system_.axiom) + "\n";
         if (python_) out += "production:\n";
-        std::vector<const Production*> rules;
-        for (const Production& rule : system_.rules) rules.push_back(&rule);
-        std::ranges::stable_sort(rules, std::greater<>(), [&](const Production* rule) {
-            return reach(rule->left) + reach(rule->right);
-        });
+        const std::vector<const Production*> rules = rules_by_reach();
         for (const Production* rule : rules) out += line(*rule) + "\n";
         if (rules.empty()) out += "\n";
         const std::string drawn = homomorphism();
@@ -70,35 +66,18 @@ public:
     }
 
 private:
-    /// Brackets do not count.
-    std::size_t reach(const Pattern& pattern) const {
-        return static_cast<std::size_t>(
-            std::ranges::count_if(pattern, [&](const ModulePattern& one) {
-                return name(one.symbol) != "[" && name(one.symbol) != "]";
-            }));
-    }
     bool is_stochastic() const {
         return std::ranges::any_of(
             system_.rules, [](const Production& rule) { return rule.probability.has_value(); });
     }
 
     void check() const {
-        check_parts();
-        check_plain_settings();
-        const Drawing& drawing = system_.drawing;
-        if (!drawing.stamps.empty()) refuse("stamps");
-        if (!drawing.solids.empty()) refuse("solids");
-        if (drawing.scale) refuse("the setting scale");
-        if (drawing.narrow) refuse("the setting narrow");
-        if (drawing.clockwise && turns_by_numbers())
+        check_programs();
+        if (system_.drawing.clockwise && turns_by_numbers())
             refuse("`turn clockwise` beside turns with numbers");
-        if (!system_.coding.empty()) refuse("a coding");
-        if (!system_.axiom.splices.empty()) refuse("the axiom's words");
         std::map<std::pair<Symbol, std::size_t>, const Production*> chosen;
         for (const Production& rule : system_.rules) {
-            if (rule.shape) refuse(rule, "it is a shape rule");
-            if (!rule.elsewhere.empty()) refuse(rule, "it looks elsewhere in the word");
-            if (!rule.successor.splices.empty()) refuse(rule, "it holds words");
+            if (!python_) check_branches(rule);
             if (!is_stochastic()) continue;
             if (rule.condition) refuse(rule, "it has a condition beside probabilities");
             const auto [entry, is_new] = chosen.try_emplace(
@@ -107,6 +86,29 @@ private:
                 !(entry->second->left == rule.left && entry->second->right == rule.right))
                 refuse(rule, "all rules that apply take part in the choice there");
         }
+    }
+
+    /// A branch in a context is the first of those that stand together there.
+    void check_branches(const Production& rule) const {
+        std::vector<CpfgModule> context;
+        for (const ModulePattern& one : rule.right) {
+            context.emplace_back();
+            context.back().symbol = name(one.symbol);
+        }
+        std::vector<CpfgWord> words;
+        const auto add = [&](const std::string& owner, const ModuleWord& word) {
+            words.push_back({owner, {}});
+            for (const Symbol letter : word.letters) words.back().letters.push_back(name(letter));
+        };
+        add("", system_.axiom);
+        for (const Production& one : system_.rules)
+            add(name(one.predecessor.symbol), one.successor);
+        std::set<std::string> skipped;
+        for (const Symbol letter : system_.ignored) skipped.insert(name(letter));
+        if (!only_first_branches_match(context, words, skipped))
+            refuse(rule,
+                   "a branch in a context is the first of those that stand together there, and "
+                   "another of them may begin so");
     }
 
     std::string symbol(Symbol letter) const {
@@ -148,10 +150,12 @@ private:
                 as_drawn && arguments == written.arguments.end() ? turned(letter) : "";
             parts.push_back(drawn.empty() ? symbol(letter) : drawn);
             if (arguments == written.arguments.end()) continue;
-            parts.back() +=
-                "(" +
-                joined(arguments->second, ",", [&](const Expression& e) { return expression(e); }) +
-                ")";
+            std::string numbers =
+                joined(arguments->second, ",", [&](const Expression& e) { return expression(e); });
+            if (as_drawn && says_step() && steps(letter))
+                numbers =
+                    "(" + expression(arguments->second[0]) + ")*" + amount(*system_.drawing.step);
+            parts.back() += "(" + numbers + ")";
         }
         std::string out;
         // Together they could be a name that L-Py knows or the file declares.
@@ -171,9 +175,13 @@ private:
         if (!pattern.parameters.empty()) out += "(" + joined(pattern.parameters, ",") + ")";
         return out;
     }
+    /// In cpfg `[B]` is a branch that holds nothing else, and `[B=]` one that begins so.
     std::string context(const Pattern& pattern) const {
         std::string out;
-        for (const ModulePattern& one : pattern) out += module(one);
+        for (const ModulePattern& one : pattern) {
+            if (!python_ && name(one.symbol) == "]") out += "=";
+            out += module(one);
+        }
         return out;
     }
 
@@ -201,7 +209,21 @@ private:
         const auto add = [&](const ModuleWord& more) {
             for (const Symbol letter : bare_symbols(more)) bare.insert(letter);
         };
-        for (const Production& rule : system_.rules) add(rule.successor);
+        std::set<Symbol> by_numbers;
+        const auto add_numbers = [&](const ModuleWord& word) {
+            for (const auto& [place, numbers] : word.arguments)
+                if (numbers.size() == 1) by_numbers.insert(word.letters[place]);
+        };
+        add_numbers(system_.axiom);
+        for (const Production& rule : system_.rules) {
+            add(rule.successor);
+            add_numbers(rule.successor);
+        }
+        if (says_step())
+            for (const Symbol letter : by_numbers)
+                if (steps(letter) && !interpreted.contains({letter, 1}))
+                    out += name(letter) + "(x) --> " + name(letter) + "(x*" +
+                           amount(*system_.drawing.step) + ")\n";
         for (const Symbol letter : bare) {
             if (interpreted.contains({letter, 0})) continue;
             if (const std::string drawn = turned(letter); !drawn.empty())
@@ -228,16 +250,18 @@ private:
         const std::string& said = name(letter);
         const Drawing& drawing = system_.drawing;
         const Quantity angle = drawing.angle.value_or(quantity(Rational(90)));
-        const bool says_step = drawing.step && drawing.step->value != 1;
         const bool is_plane = said == "+" || said == "-";
         if (is_plane && drawing.clockwise) return (said == "+" ? "-(" : "+(") + amount(angle) + ")";
         const bool turns =
             said.size() == 1 && std::string_view("+-&^\\/").find(said) != std::string_view::npos;
         if (turns && angle.value != (python_ ? 60 : 45))
             return symbol(letter) + "(" + amount(angle) + ")";
-        if (says_step && (said == "F" || said == "f" || said == "G"))
-            return said + "(" + amount(*drawing.step) + ")";
+        if (says_step() && steps(letter)) return said + "(" + amount(*drawing.step) + ")";
         return "";
+    }
+    bool says_step() const { return system_.drawing.step && system_.drawing.step->value != 1; }
+    bool steps(Symbol letter) const {
+        return name(letter) == "F" || name(letter) == "f" || name(letter) == "G";
     }
     /// Whether + or - has a number somewhere.
     bool turns_by_numbers() const {

@@ -35,7 +35,7 @@ bool is_below(const std::string& file, const std::string& folder) {
 std::string text_with_included(const std::string& path, const FileText& text_of) {
     std::string text = text_of(path);
     const SystemFormat* const format = system_format(path);
-    if (!format || (format->name != "l" && format->name != "cpfg") ||
+    if (!format || (format->name != "l" && format->name != "cpfg" && format->name != "lpfg") ||
         text.find("include") == std::string::npos)
         return text;
     const std::string above = std::filesystem::path(path).parent_path().string();

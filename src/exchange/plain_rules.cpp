@@ -1,6 +1,7 @@
 #include "exchange/detail/plain_rules.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -101,6 +102,37 @@ void FormatWriter::check_plain_settings() const {
     if (drawing.tropism) refuse("a tropism");
     if (!drawing.surfaces.empty()) refuse("surfaces");
     if (!drawing.plotters.empty()) refuse("plots");
+}
+
+void FormatWriter::check_programs() const {
+    check_parts();
+    check_plain_settings();
+    const Drawing& drawing = system_.drawing;
+    if (!drawing.stamps.empty()) refuse("stamps");
+    if (!drawing.solids.empty()) refuse("solids");
+    if (drawing.scale) refuse("the setting scale");
+    if (drawing.narrow) refuse("the setting narrow");
+    if (!system_.coding.empty()) refuse("a coding");
+    if (!system_.axiom.splices.empty()) refuse("the axiom's words");
+    for (const Production& rule : system_.rules) {
+        if (rule.shape) refuse(rule, "it is a shape rule");
+        if (!rule.elsewhere.empty()) refuse(rule, "it looks elsewhere in the word");
+        if (!rule.successor.splices.empty()) refuse(rule, "it holds words");
+    }
+}
+
+std::vector<const Production*> FormatWriter::rules_by_reach() const {
+    const auto reach = [&](const Pattern& pattern) {
+        return std::ranges::count_if(pattern, [&](const ModulePattern& one) {
+            return name(one.symbol) != "[" && name(one.symbol) != "]";
+        });
+    };
+    std::vector<const Production*> rules;
+    for (const Production& rule : system_.rules) rules.push_back(&rule);
+    std::ranges::stable_sort(rules, std::greater<>(), [&](const Production* rule) {
+        return reach(rule->left) + reach(rule->right);
+    });
+    return rules;
 }
 
 void FormatWriter::interpret(const TurtleModule& module, std::size_t depth, std::size_t& steps,

@@ -75,14 +75,19 @@ std::optional<SystemBlock> system_block(std::string_view text, std::size_t& byte
 
 namespace {
 
-/// The letters that a text begins with, and the one keyword of two words.
+/// The letters that a text begins with, and the one keyword of two words. What is no ASCII sticks to them: `idé` is not `id`.
 std::string_view keyword_of(std::string_view text) {
     constexpr std::string_view of_two = "common-scale";
     if (text.starts_with(of_two)) return text.substr(0, of_two.size());
+    constexpr char32_t ascii = 0x80, arrow = 0x2192;
     std::size_t length = 0;
-    while (length < text.size() && is_letter(static_cast<unsigned char>(text[length])) &&
-           static_cast<unsigned char>(text[length]) < 0x80)
-        ++length;
+    while (length < text.size()) {
+        const Character next = first_character(text.substr(length));
+        if (!next.is_valid() || next.code == arrow ||
+            (next.code < ascii ? !is_letter(next.code) : is_blank(next.code)))
+            break;
+        length += next.bytes;
+    }
     return text.substr(0, length);
 }
 

@@ -175,16 +175,18 @@ TEST_CASE("what cannot be converted is told what it can become, and what is no f
           "x: cannot convert ifs-table to ca; ifs-table converts to ifs");
     CHECK(refused("ca", "brno") ==
           "x: cannot convert ca to brno; ca converts to lsys and ca-table");
-    CHECK(refused("lsys", "dla") ==
-          "x: cannot convert lsys to dla; lsys converts to ifs, brno, maple, netlogo, l, cpfg, "
-          "lpy, inkscape, tikz, jff, walnut "
-          "and sage");
-    CHECK(refused("brno", "ifs") ==
-          "x: cannot convert brno to ifs; brno converts to lsys, maple, netlogo, l, cpfg, lpy, "
-          "inkscape, tikz, jff, walnut "
-          "and sage");
+    CHECK(
+        refused("lsys", "dla") ==
+        "x: cannot convert lsys to dla; lsys converts to ifs, brno, maple, netlogo, l, cpfg, lpfg, "
+        "lpy, inkscape, tikz, jff, walnut "
+        "and sage");
+    CHECK(
+        refused("brno", "ifs") ==
+        "x: cannot convert brno to ifs; brno converts to lsys, maple, netlogo, l, cpfg, lpfg, lpy, "
+        "inkscape, tikz, jff, walnut "
+        "and sage");
     CHECK(refused("lsys", "pdf") ==
-          "x: 'pdf' is no format; expected one of ifs, brno, maple, netlogo, l, cpfg, lpy, "
+          "x: 'pdf' is no format; expected one of ifs, brno, maple, netlogo, l, cpfg, lpfg, lpy, "
           "inkscape, tikz, jff, walnut, sage, "
           "lsys");
     CHECK(refused("dla", "pdf") == "x: 'pdf' is no format; expected dla");

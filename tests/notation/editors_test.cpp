@@ -54,10 +54,10 @@ json of_system(const std::string& text, bool whole) {
     for (const Clause& clause : clauses(text)) {
         const std::string keyword(clause.keyword);
         std::size_t bytes = 0;
-        const char* name = is_rule(clause)                ? "Rule"
-                           : clause.has_word("interpret") ? "Interpretation"
-                           : clause.has_word("title") || clause.has_word("source") ? "Prose"
-                                                                                   : "Setting";
+        const char* name = is_rule(clause)                             ? "Rule"
+                           : clause.has_word("interpret")              ? "Interpretation"
+                           : keyword == "title" || keyword == "source" ? "Prose"
+                                                                       : "Setting";
         if (keyword == "coding") name = "Coding";
         if (system_block(clause.text, bytes)) name = "Within";
         all.push_back(piece(name, clause.text, text));

@@ -12,6 +12,12 @@ TEST_CASE("statements that are none") {
           "'angle'?\n"
           "  angel 60\n"
           "  ^");
+    // A keyword ends where its letters end, in any alphabet.
+    CHECK(findings("idé A-1\naxiom F") ==
+          "x.lsys:1:1: error: expected a setting or a rule with '->', found 'idé'\n"
+          "  idé A-1\n"
+          "  ^");
+    CHECK(findings("id\u00a0A-1\naxiom F").empty());
     CHECK(findings("axiom F\nF = FF") ==
           "x.lsys:2:1: error: expected a setting or a rule with '->', found 'F'; did you mean "
           "'->' instead of '='?\n"

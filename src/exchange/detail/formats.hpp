@@ -169,6 +169,9 @@ std::string print_lpy(const Model& system);
 /// The declarative part of a program of lpfg in L+C: constants, modules, axiom, and rules whose blocks are made of `produce`, `if` and `else`.
 /// Throws Diagnostics with the place of other statements.
 Model read_lpfg(std::string_view text, const std::string& name);
+/// A program of lpfg with the system's words up to the names of its letters, and its figures. Throws Error for what it cannot say: chance, contexts
+/// with branches, functions of angles, which take radians there, and what `print_cpfg` refuses, but for names of letters.
+std::string print_lpfg(const Model& system);
 
 /// Whether a text looks like a file of cpfg: a line begins with `Lsystem:`, outside comments.
 bool looks_like_cpfg(std::string_view text);

@@ -46,6 +46,12 @@ protected:
     /// by all formats.
     void check_plain_settings() const;
 
+    /// What cpfg, lpfg and L-Py have no words for: besides the above stamps, solids, settings of the turtle's state, codings, words in the
+    /// axiom and in rules, shape rules and contexts elsewhere.
+    void check_programs() const;
+    /// The rules with the longest contexts first, which the notation uses first; brackets do not count.
+    std::vector<const Production*> rules_by_reach() const;
+
     /// What stands for a letter once `interpret` rules have been applied until none matches.
     ///
     /// Refuses an interpretation that has contexts, conditions, probabilities or parameters on its left

@@ -2,6 +2,7 @@
 
 #include "automatic/automatic.hpp"
 #include "model/model.hpp"
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/claim_reading.hpp"
 #include "notation/detail/grammar.hpp"
 
@@ -265,7 +266,7 @@ bool parse_critical_exponent(std::string_view text, Statement& statement, ClaimR
     const char* here = rest.data();
     const char* const end = here + rest.size();
     said.number = parse_claimed_number(here, end);
-    while (here != end && is_blank(static_cast<unsigned char>(*here))) ++here;
+    while (here != end && is_blank_byte(*here)) ++here;
     if (here != end) throw unexpected("an operator or the end of the statement", here);
     if (said.comparison == Comparison::unequal) {
         said.comparison = Comparison::equal;
@@ -286,8 +287,7 @@ bool parse_factor(std::string_view text, Statement& statement, ClaimReading& rea
     if (!take_sign(rest, ")")) throw unexpected("')'", rest.data());
     if (!rest.empty()) throw unexpected("the end of the statement", rest.data());
     std::string_view word = trimmed(text.substr(0, in));
-    if (word.ends_with("not") && word.size() > 3 &&
-        is_blank(static_cast<unsigned char>(word[word.size() - 4]))) {
+    if (word.ends_with("not") && word.size() > 3 && is_blank_byte(word[word.size() - 4])) {
         statement.negated = true;
         word = trimmed(word.substr(0, word.size() - 3));
     }

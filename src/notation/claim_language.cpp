@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/claim_reading.hpp"
 #include "notation/detail/grammar.hpp"
 #include "notation/detail/operator_stack.hpp"
@@ -64,8 +65,11 @@ Word parse_counted_letters(std::string_view text, ClaimReading& reading) {
 
 /// A comment in a set, up to the end of its line.
 const ByHand comment([](const char*& here, const char* end) {
-    if (here == end || *here != '#' || !is_blank(static_cast<unsigned char>(here[-1])))
-        return false;
+    if (here == end || *here != '#') return false;
+    const char* before = here - 1;  // a brace stands before all of a set
+    while ((static_cast<unsigned char>(*before) & 0xC0) == 0x80) --before;
+    const auto size = static_cast<std::size_t>(here - before);
+    if (!is_behind_blank({before, size}, size)) return false;
     here = std::find(here, end, '\n');
     return true;
 });

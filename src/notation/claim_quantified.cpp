@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/claim_reading.hpp"
 #include "notation/detail/grammar.hpp"
 
@@ -59,7 +60,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
 }
 
 bool is_blank_at(std::string_view text, std::size_t i) {
-    return i >= text.size() || is_blank(static_cast<unsigned char>(text[i])) || text[i] == '\n';
+    return i >= text.size() || is_blank_byte(text[i]) || text[i] == '\n';
 }
 
 /// Where a word stands outside brackets from `from` on; npos if nowhere.
@@ -201,8 +202,7 @@ private:
     bool is_number_list() const {
         const auto is_sign = [](char c) {
             return c == '<' || c == '>' || c == '=' || c == ',' ||
-                   is_digit(static_cast<unsigned char>(c)) ||
-                   is_blank(static_cast<unsigned char>(c));
+                   is_digit(static_cast<unsigned char>(c)) || is_blank_byte(c);
         };
         std::size_t names = 0, signs = 0;
         for (const std::string_view word : words_) {

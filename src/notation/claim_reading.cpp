@@ -2,6 +2,7 @@
 
 #include "model/model.hpp"
 
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/claim_reading.hpp"
 
 // Claims on their way from their text: clauses, and the names that a claim defines.
@@ -22,17 +23,13 @@ namespace algae {
 
 namespace {
 
-bool is_ascii_blank(char byte) { return is_blank(static_cast<unsigned char>(byte)); }
-
 /// Whether a clause that begins here is a text for people.
 bool is_prose(std::string_view rest) {
     const std::size_t begin = rest.find_first_not_of(" \t\r");
     if (begin == std::string_view::npos) return false;
     rest.remove_prefix(begin);
     for (const std::string_view word : {"claim", "source", "note", "title"})
-        if (rest.starts_with(word) &&
-            (rest.size() == word.size() || is_ascii_blank(rest[word.size()])))
-            return true;
+        if (rest.starts_with(word) && is_before_blank(rest, word.size())) return true;
     return false;
 }
 
@@ -48,7 +45,7 @@ void walk(std::string_view text, On on) {
             if (!on(here)) return;
             begin = here + 1;
             prose = is_prose(text.substr(begin));
-        } else if (byte == '#' && (here == begin || is_ascii_blank(text[here - 1]))) {
+        } else if (byte == '#' && (here == begin || is_behind_blank(text, here))) {
             if (!on(here)) return;
             here = std::min(text.find('\n', here), text.size()) - 1;
         } else if ((byte == '{' || byte == '}') && !prose) {
@@ -84,7 +81,7 @@ std::vector<ClaimClause> claim_clauses(std::string_view text) {
         clause.unclosed = first_unclosed;
         first_unclosed = nullptr;
         if (clause.text.empty()) return;
-        const auto blank = std::find_if(clause.text.begin(), clause.text.end(), is_ascii_blank);
+        const auto blank = std::find_if(clause.text.begin(), clause.text.end(), is_blank_byte);
         clause.keyword =
             clause.text.substr(0, static_cast<std::size_t>(blank - clause.text.begin()));
         found.push_back(clause);
@@ -138,9 +135,7 @@ bool is_claim_name(std::string_view text) {
 }
 
 std::size_t find_word(std::string_view text, std::string_view word) {
-    const auto is_bound = [&](std::size_t i) {
-        return i >= text.size() || is_blank(static_cast<unsigned char>(text[i]));
-    };
+    const auto is_bound = [&](std::size_t i) { return i >= text.size() || is_blank_byte(text[i]); };
     std::size_t depth = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '{') ++depth;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dimension/dimension.hpp"
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/claim_reading.hpp"
 #include "notation/detail/grammar.hpp"
 #include "turtle/turtle.hpp"
@@ -303,8 +304,7 @@ public:
         std::string_view word = before(text_, in);
         const std::string_view left = trimmed(word);
         statement_.negated =
-            left == "not" ||
-            (left.ends_with("not") && is_blank(static_cast<unsigned char>(left[left.size() - 4])));
+            left == "not" || (left.ends_with("not") && is_blank_byte(left[left.size() - 4]));
         if (statement_.negated) word = between(text_.data(), left.data() + left.size() - 3);
         HasWord said{nullptr, parse_claimed_word(word, reading_)};
         reading_.add_letters(said.word);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/claim_reading.hpp"
 #include "notation/detail/grammar.hpp"
 #include "turtle/turtle.hpp"
@@ -63,7 +64,7 @@ bool calls(std::string_view text, std::string_view name, const ClaimReading& rea
         if (depth > 0 || !text.substr(i).starts_with(name)) continue;
         if (i > 0 && is_claim_name(text.substr(i - 1, 1))) continue;  // within another name
         std::size_t behind = i + name.size();
-        while (behind < text.size() && is_blank(static_cast<unsigned char>(text[behind]))) ++behind;
+        while (behind < text.size() && is_blank_byte(text[behind])) ++behind;
         if (behind < text.size() && text[behind] == '(' &&
             !reading.find(text.substr(i, name.size())))
             return true;
@@ -107,7 +108,7 @@ public:
         if (++depth_ > deepest) throw SyntaxError{here, "more than 100 brackets inside each other"};
         ExpressionReader reader;
         reader.next = [end](const char* at) {
-            while (at != end && is_blank(static_cast<unsigned char>(*at))) ++at;
+            while (at != end && is_blank_byte(*at)) ++at;
             return at;
         };
         reader.operand = [this, end](const char*& at) { return operand(at, end); };
@@ -160,7 +161,7 @@ public:
     }
 
     void expect(char byte, const char* expectation, const char*& here, const char* end) const {
-        while (here != end && is_blank(static_cast<unsigned char>(*here))) ++here;
+        while (here != end && is_blank_byte(*here)) ++here;
         if (here == end || *here != byte) throw unexpected(expectation, here);
         ++here;
     }
@@ -168,7 +169,7 @@ public:
 private:
     /// What stands before the next `,`, `(` or `)`.
     std::string_view piece(const char*& here, const char* end, const char* expectation) const {
-        while (here != end && is_blank(static_cast<unsigned char>(*here))) ++here;
+        while (here != end && is_blank_byte(*here)) ++here;
         const char* const begin = here;
         while (here != end && *here != ',' && *here != ')' && *here != '(') ++here;
         const std::string_view found = trimmed(between(begin, here));
@@ -222,7 +223,7 @@ private:
     }
 
     static void skip(const char*& here, const char* end) {
-        while (here != end && is_blank(static_cast<unsigned char>(*here))) ++here;
+        while (here != end && is_blank_byte(*here)) ++here;
     }
 
     Expression number_called(std::string_view name, const Place& place) {
@@ -389,7 +390,7 @@ private:
     static constexpr std::size_t most_factors = 1000;
 
     static void skip(const char*& here, const char* end) {
-        while (here != end && is_blank(static_cast<unsigned char>(*here))) ++here;
+        while (here != end && is_blank_byte(*here)) ++here;
     }
 
     Factors product(const char*& here, const char* end) {
@@ -426,8 +427,8 @@ private:
             return image(bracketed(here, end), morphism);
         }
         const char* const where = here;
-        while (here != end && !is_blank(static_cast<unsigned char>(*here)) && *here != '(' &&
-               *here != ')' && *here != '^' && *here != '{')
+        while (here != end && !is_blank_byte(*here) && *here != '(' && *here != ')' &&
+               *here != '^' && *here != '{')
             ++here;
         const std::string_view text = between(where, here);
         if (here != end && *here == '(') {

@@ -312,11 +312,13 @@ std::string lezer_of_systems() {
             help.keyword != "coding" && help.keyword != "system" && help.keyword != "colour")
             keywords.push_back(help.keyword.substr(0, help.keyword.find('-')));  // the word of two
     return R"(// L-systems, *.lsys, for Lezer; made by `algae lsp --editors` from its table of statements.
-@top System { statement? (separator statement?)* }
+@precedence { here }
+@top System { statement? ColourComment? (separator statement? ColourComment?)* }
 separator { newline | ";" }
 statement { Prose | Setting | Interpretation | Coding | Within | Rule }
 Prose { TextKeyword prosePiece* }
-Setting { Keyword piece* | ColourKeyword (item | Colour | brace)* }
+Setting { Keyword piece* | ColourKeyword (item | !here Colour | brace)* }
+ColourComment[@name=Comment] { Colour (item | brace | arrow | Colour | !here ";")* }
 Rule { (Keyword | symbol | brace) piece* arrow piece* }
 Interpretation { InterpretKeyword piece* arrow piece* }
 Coding { CodingKeyword "{" image? (separator image?)* "}" }
@@ -328,7 +330,7 @@ InnerRule { (Keyword | symbol | Braces) innerPiece* arrow innerPiece* }
 innerPiece { item | Braces }
 Braces { "{" innerPiece* "}" }
 piece { item | brace }
-brace { "{" | "}" }
+brace { "{" | "}" | GluedBrace }
 arrow { Arrow | Chance }
 symbol { Word | Number | Symbol }
 item { symbol | Keyword | TextKeyword | ColourKeyword | InterpretKeyword | CodingKeyword | SystemKeyword }
@@ -343,7 +345,9 @@ SystemKeyword { @specialize<Word, "system"> }
            lezer_tokens +
            R"(  Colour { "#" $[0-9A-Fa-f] $[0-9A-Fa-f] $[0-9A-Fa-f] $[0-9A-Fa-f] $[0-9A-Fa-f] $[0-9A-Fa-f] }
   NoColour { "#" $[0-9A-Fa-f] $[0-9A-Fa-f] $[0-9A-Fa-f] $[0-9A-Fa-f] $[0-9A-Fa-f] $[0-9A-Fa-f] ![ \t\n\u{b}\u{c}\r;] ![\n]* }
+  GluedBrace { $[{}] "#" ![ \t\n\u{b}\u{c}\r;]* }
   @precedence { NoColour, Colour, Comment }
+  @precedence { GluedBrace, "{", "}" }
   "{" "}" ";"
 }
 )";

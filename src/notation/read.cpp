@@ -4,6 +4,7 @@
 
 #include "model/model.hpp"
 
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/reading.hpp"
 
 // A `.lsys` file from its text.
@@ -23,10 +24,8 @@ namespace algae {
 
 namespace {
 
-bool is_ascii_blank(char byte) { return is_blank(static_cast<unsigned char>(byte)); }
-
 std::size_t blanks(std::string_view text) {
-    return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_ascii_blank) -
+    return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_blank_byte) -
                                     text.begin());
 }
 
@@ -59,7 +58,7 @@ std::optional<SystemBlock> system_block(std::string_view text, std::size_t& byte
     const std::size_t begin = ++here;
     for (std::size_t depth = 1; here < text.size(); ++here) {
         const char before = text[here - 1];
-        if (text[here] == '#' && (before == '\n' || before == ';' || is_ascii_blank(before)))
+        if (text[here] == '#' && (before == '\n' || before == ';' || is_behind_blank(text, here)))
             here = std::min(text.find('\n', here), text.size() - 1);
         if (text[here] == '{') ++depth;
         if (text[here] != '}' || --depth > 0) continue;
@@ -97,7 +96,7 @@ bool starts_with_colour(std::string_view text) {
     if (text.size() < length) return false;
     for (std::size_t i = 1; i < length; ++i)
         if (!std::isxdigit(static_cast<unsigned char>(text[i]))) return false;
-    return text.size() == length || is_ascii_blank(text[length]) || text[length] == ';';
+    return text.size() == length || is_blank_byte(text[length]) || text[length] == ';';
 }
 
 const char* first_arrow(std::string_view text) {
@@ -110,7 +109,7 @@ const char* first_arrow(std::string_view text) {
 }  // namespace
 
 bool Clause::has_word(std::string_view word) const {
-    return keyword == word && (text.size() == word.size() || is_ascii_blank(text[word.size()]));
+    return keyword == word && is_before_blank(text, word.size());
 }
 
 bool is_rule(const Clause& clause) {
@@ -135,7 +134,7 @@ std::size_t coding_block(std::string_view text) {
 bool begins_setting(std::string_view text) {
     const std::string_view keyword = keyword_of(text);
     return keyword.size() < text.size() &&
-           (is_ascii_blank(text[keyword.size()]) || text[keyword.size()] == '{') &&
+           (is_before_blank(text, keyword.size()) || text[keyword.size()] == '{') &&
            std::ranges::any_of(settings(),
                                [&](const Setting& setting) { return setting.name() == keyword; });
 }
@@ -151,7 +150,7 @@ public:
         count(text_[here], depth_);
         has_arrow_ = has_arrow_ || is_arrow(text_.substr(here));
         if (depth_ > 0) return false;
-        if (is_ascii_blank(text_[here]) && text_[here] != '\n')
+        if (is_blank_byte(text_[here]) && text_[here] != '\n')
             return has_arrow_ && is_next_rule(here + 1);
         if (text_[here] != ',') return false;
         return (has_arrow_ ||
@@ -183,7 +182,7 @@ private:
             const char c = text_[here];
             count(c, depth);
             if (c == '\n' || c == ';' || (c == ',' && depth == 0 && !elsewhere)) return false;
-            elsewhere = elsewhere || (c == '?' && here > begin && is_ascii_blank(text_[here - 1]));
+            elsewhere = elsewhere || (c == '?' && here > begin && is_blank_byte(text_[here - 1]));
             if (is_arrow(text_.substr(here))) return true;
         }
         return false;
@@ -193,12 +192,12 @@ private:
     bool is_next_rule(std::size_t here) const {
         constexpr std::size_t longest = 200;
         std::size_t end = here;
-        while (end < std::min(text_.size(), here + longest) && !is_ascii_blank(text_[end]) &&
+        while (end < std::min(text_.size(), here + longest) && !is_blank_byte(text_[end]) &&
                std::string_view("<>:()?,;").find(text_[end]) == std::string_view::npos &&
                !is_arrow(text_.substr(end)))
             ++end;
         if (end == here) return false;
-        while (end < text_.size() && is_ascii_blank(text_[end]) && text_[end] != '\n') ++end;
+        while (end < text_.size() && is_blank_byte(text_[end]) && text_[end] != '\n') ++end;
         return end < text_.size() && is_arrow(text_.substr(end));
     }
 
@@ -238,7 +237,7 @@ std::vector<Clause> clauses(std::string_view text, bool typed) {
     };
     while (here < text.size()) {
         const char byte = text[here];
-        if ((byte == 's' || byte == 'c') && (here == begin || is_ascii_blank(text[here - 1])) &&
+        if ((byte == 's' || byte == 'c') && (here == begin || is_blank_byte(text[here - 1])) &&
             add_block())
             continue;
         const bool is_end = typed && commas.separates(here, begin);
@@ -246,7 +245,7 @@ std::vector<Clause> clauses(std::string_view text, bool typed) {
             add(here++);
             begin = here;
             commas.begin_clause();
-        } else if (byte == '#' && (here == begin || is_ascii_blank(text[here - 1]))) {
+        } else if (byte == '#' && (here == begin || is_behind_blank(text, here))) {
             if (starts_with_colour(text.substr(here)) &&
                 keyword_of(trimmed(text.substr(begin, here - begin))) == "colour") {
                 ++here;
@@ -711,7 +710,7 @@ Model read_typed_system(std::string_view text, const std::string& name,
 bool is_typed_system(std::string_view text) {
     const std::string_view begin = trimmed(text);
     return first_arrow(text) ||
-           (begin.starts_with("axiom") && begin.size() > 5 && is_ascii_blank(begin[5]));
+           (begin.starts_with("axiom") && begin.size() > 5 && is_blank_byte(begin[5]));
 }
 
 ModuleWord read_word(std::string_view text, Alphabet& alphabet) {

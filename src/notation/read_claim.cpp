@@ -8,6 +8,7 @@
 
 #include "model/model.hpp"
 
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/claim_reading.hpp"
 #include "notation/detail/grammar.hpp"
 #include "notation/detail/reading.hpp"
@@ -159,9 +160,7 @@ namespace {
 /// What stands up to the first blank or brace.
 std::string_view first_word(std::string_view text) {
     std::size_t length = 0;
-    while (length < text.size() && text[length] != '{' &&
-           !is_blank(static_cast<unsigned char>(text[length])))
-        ++length;
+    while (length < text.size() && text[length] != '{' && !is_blank_byte(text[length])) ++length;
     return text.substr(0, length);
 }
 

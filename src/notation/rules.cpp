@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "notation/detail/blank_byte.hpp"
 #include "notation/detail/grammar.hpp"
 #include "notation/detail/reading.hpp"
 
@@ -85,7 +86,7 @@ Arrow split_at_arrow(std::string_view rule, const char* arrow) {
         --open;
         if (*open == ')') ++depth;
         if (*open == '(') --depth;
-        if (is_blank(static_cast<unsigned char>(*open))) return out;
+        if (is_blank_byte(*open)) return out;
     }
     if (open == begin || open[-1] != '-') return out;
     const std::string_view before = trimmed(between(begin, open - 1));

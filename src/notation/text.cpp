@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "notation/detail/blank_byte.hpp"
 #include "notation/notation.hpp"
 
 // Texts, their places and what is found wrong with them.
@@ -68,10 +69,8 @@ std::string_view trimmed(std::string_view text) {
     const char* begin = nullptr;
     if (!text.empty() && static_cast<unsigned char>(text.front()) < 0x80 &&
         static_cast<unsigned char>(text.back()) < 0x80) {
-        while (!text.empty() && is_blank(static_cast<unsigned char>(text.front())))
-            text.remove_prefix(1);
-        while (!text.empty() && is_blank(static_cast<unsigned char>(text.back())))
-            text.remove_suffix(1);
+        while (!text.empty() && is_blank_byte(text.front())) text.remove_prefix(1);
+        while (!text.empty() && is_blank_byte(text.back())) text.remove_suffix(1);
         if (text.empty() || (static_cast<unsigned char>(text.front()) < 0x80 &&
                              static_cast<unsigned char>(text.back()) < 0x80))
             return text;

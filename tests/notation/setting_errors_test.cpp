@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "model/model.hpp"
+#include "notation/notation.hpp"
 #include "notation/said.hpp"
 
 using namespace algae;
@@ -18,6 +20,10 @@ TEST_CASE("statements that are none") {
           "  idé A-1\n"
           "  ^");
     CHECK(findings("id\u00a0A-1\naxiom F").empty());
+    // The last byte of a letter may be the number of a blank.
+    const Model named = read_lsystem("title voilà \nsource à#b \u00a0# c\naxiom F", "x.lsys");
+    CHECK(named.title == "voilà");
+    CHECK(named.source == "à#b");
     CHECK(findings("axiom F\nF = FF") ==
           "x.lsys:2:1: error: expected a setting or a rule with '->', found 'F'; did you mean "
           "'->' instead of '='?\n"

@@ -153,8 +153,7 @@ bool only_first_branches_match(const std::vector<CpfgModule>& context,
         } else if (context[i].symbol == "[") {
             ended.resize(depth + 1, context.size());
             if (ended[depth] != i) groups.emplace_back();
-            const bool is_any = i + 1 == context.size() || context[i + 1].symbol == "]" ||
-                                context[i + 1].symbol == "[";
+            const bool is_any = i + 1 == context.size() || context[i + 1].symbol == "]";
             groups.back().push_back(is_any ? "" : context[i + 1].symbol);
             ++depth;
         }
@@ -165,7 +164,8 @@ bool only_first_branches_match(const std::vector<CpfgModule>& context,
     const std::optional<std::size_t> most = neighbours.most_together();
     return std::ranges::all_of(groups, [&](const std::vector<std::string>& group) {
         if (most && *most <= group.size()) return true;
-        return group.size() == 1 && (group[0].empty() || !neighbours.begins_another(group[0]));
+        return group.size() == 1 && group[0] != "[" &&
+               (group[0].empty() || !neighbours.begins_another(group[0]));
     });
 }
 

@@ -57,11 +57,14 @@ private:
         }
         if (!dialect_.python && !dialect_.plus)
             known_.emplace("Z", system_.generation.empty() ? "0" : system_.generation);
+        check_ring();
         rewrites_cut_ = std::ranges::any_of(
             system_.rules, [](const CpfgRule& rule) { return rule.predecessor.symbol == "%"; });
         system_ = with_single_predecessors(source_, dialect_, std::move(system_));
         add_decompositions();
         name_steps();
+        join_ends();
+        name_steps();  // of letters for ends too
         mark_cuts();
         mark_branches();
         check_first_branches();
@@ -129,7 +132,14 @@ private:
     std::string axiom_word() {
         const CpfgNames known = known_;
         if (!step_.empty()) known_["Q"] = "0";
-        std::string word = written(ended(modules(system_.axiom)), {});
+        std::vector<CpfgModule> all = ended(modules(system_.axiom));
+        if (joins_ends_) {
+            CpfgModule first = end_letter(all, CpfgRule::Part::first, *system_.ring),
+                       last = end_letter(all, CpfgRule::Part::last, *system_.ring);
+            all.insert(all.begin(), std::move(first));
+            all.push_back(std::move(last));
+        }
+        std::string word = written(all, {});
         known_ = known;
         return word;
     }
@@ -269,7 +279,7 @@ private:
             }
         };
         add(rule.predecessor);
-        for (const auto* side : {&rule.left, &rule.right})
+        for (const auto* side : {&rule.left, &rule.right, &rule.elsewhere})
             for (const CpfgModule& module : *side) add(module);
         return names;
     }
@@ -277,7 +287,7 @@ private:
     /// What the contexts of a rule are, whatever their parameters are called.
     std::string contexts(const CpfgRule& rule) const {
         std::string text;
-        for (const auto* side : {&rule.left, &rule.right}) {
+        for (const auto* side : {&rule.left, &rule.right, &rule.elsewhere}) {
             for (const CpfgModule& module : *side)
                 text += module.symbol + "/" + std::to_string(module.arguments.size()) + " ";
             text += "|";
@@ -299,8 +309,10 @@ private:
 
     /// What a rule asks of the word at large: the number of the step, and the letter that gives it as many modules as the others for its
     /// letter have.
-    std::string elsewhere(const CpfgRule& rule) const {
+    std::string elsewhere(const CpfgRule& rule) {
         std::vector<std::string> all;
+        const std::set<std::string> names = formals(rule);
+        for (const CpfgModule& module : rule.elsewhere) all.push_back(written({module}, names));
         if (counted_.contains(rule.letter()))
             all.push_back(std::string(counter) + "(" + step_ + ")");
         if (const auto most = padded_.find(rule.letter()); most != padded_.end())
@@ -514,7 +526,7 @@ private:
         std::string text;
         for (const Case& one : successors(rule))
             text += head(rule, both(condition, one.condition), elsewhere(rule)) + " " + arrow +
-                    " " + written(ended(one.word), formals(rule)) + "\n";
+                    " " + written(part_of(rule, one.word), formals(rule)) + "\n";
         return text;
     }
 
@@ -604,6 +616,179 @@ private:
         cuts_later_ = skipped;
     }
 
+    // --- Rings ---
+
+    std::set<std::string> skipped_symbols() const {
+        std::set<std::string> skipped;
+        if (system_.ignored)
+            for (const CpfgModule& module : modules(*system_.ignored))
+                skipped.insert(module.symbol);
+        if (!system_.considered) return skipped;
+        std::set<std::string> seen;
+        for (const CpfgModule& module : modules(*system_.considered)) seen.insert(module.symbol);
+        const auto add = [&](const std::vector<CpfgModule>& word) {
+            for (const CpfgModule& module : word)
+                if (!seen.contains(module.symbol)) skipped.insert(module.symbol);
+        };
+        add(modules(system_.axiom));
+        for (const CpfgRule& rule : system_.rules)
+            for (const Case& one : successors(rule)) add(one.word);
+        return skipped;
+    }
+
+    void check_ring() const {
+        if (!system_.ring) return;
+        for (const CpfgRule& rule : system_.rules)
+            if (!rule.several.empty())
+                refuse(*system_.ring, "a ring beside predecessors of several modules",
+                       "has no meaning in the notation, where these are contexts");
+    }
+
+    /// In a ring the last letter of a word stands before the first one. Two letters around the word, which rules keep up with it, say what its
+    /// first and its last letter are, and rules for letters at the ends look for them.
+    void join_ends() {
+        if (!system_.ring || !has_contexts()) return;
+        const auto no = [&](const char* what, const char* why) {
+            refuse(*system_.ring, what, why);
+        };
+        if (system_.stochastic)
+            no("a ring with choices and contexts",
+               "has no meaning in the notation, where what stands at one end is told to the other "
+               "by rules that choose anew");
+        if (holds_cut()) no("a ring with %", "has no meaning in the notation");
+        skipped_ = skipped_symbols();
+        std::vector<std::vector<CpfgModule>> words{modules(system_.axiom)};
+        for (const CpfgRule& rule : system_.rules)
+            for (Case& one : successors(rule)) {
+                if (skipped_.contains(rule.predecessor.symbol))
+                    for (const CpfgModule& module : one.word)
+                        if (!skipped_.contains(module.symbol))
+                            refuse(rule.place, "a rule of a ring by which contexts see more",
+                                   "than before it has no meaning in the notation");
+                words.push_back(std::move(one.word));
+            }
+        for (const std::vector<CpfgModule>& word : words)
+            for (const CpfgModule& module : word) {
+                if (module.symbol == "[" || module.symbol == "]")
+                    no("a ring with branches", "has no meaning in the notation");
+                if (skipped_.contains(module.symbol)) continue;
+                if (!ends_.try_emplace(module.kind(), static_cast<int>(ends_.size())).second)
+                    continue;
+                for (const int from : {first_letters, last_letters_from})
+                    if (const auto types = system_.types.find(module.symbol);
+                        types != system_.types.end())
+                        system_.types["X_" + std::to_string(from + ends_.at(module.kind()))] =
+                            types->second;
+            }
+        joins_ends_ = true;
+        std::vector<CpfgRule> all;
+        for (const CpfgRule& rule : system_.rules) {
+            if (rule.left.size() > 1 || rule.right.size() > 1)
+                refuse(rule.place, "a context of several modules in a ring",
+                       "has no meaning in the notation, where only one letter of each end is known "
+                       "at the other");
+            add_joined(rule, all);
+        }
+        system_.rules = std::move(all);
+    }
+
+    /// The rule within the word and at its ends, and what it makes of the letters that say what the ends are.
+    void add_joined(const CpfgRule& rule, std::vector<CpfgRule>& all) const {
+        using Part = CpfgRule::Part;
+        const CpfgModule& own = rule.predecessor;
+        const bool is_seen = !skipped_.contains(own.symbol);
+        const bool has_left = !rule.left.empty(), has_right = !rule.right.empty();
+        const auto known = [&](const std::vector<CpfgModule>& side) {
+            return side.empty() || ends_.contains(side[0].kind());
+        };
+        if (!known(rule.left) || !known(rule.right)) return;  // matches nowhere
+        if (!is_seen) {
+            // Which letters stand at the ends is not known where contexts skip the letter itself.
+            if (has_left || has_right)
+                refuse(rule.place, "a rule of a ring with contexts for a letter that contexts skip",
+                       "has no meaning in the notation");
+            all.push_back(rule);
+            return;
+        }
+        if (!ends_.contains(own.kind())) return;
+        const CpfgModule first = end_of(own, Part::first, "R_"),
+                         last = end_of(own, Part::last, "S_");
+        for (const bool at_first : {false, true})
+            for (const bool at_last : {false, true}) {
+                if ((at_first && !has_left) || (at_last && !has_right)) continue;
+                CpfgRule one = rule;
+                if (at_first) {
+                    one.left = {first};
+                    one.elsewhere.push_back(end_of(rule.left[0], Part::last, ""));
+                }
+                if (at_last) {
+                    one.right = {last};
+                    one.elsewhere.push_back(end_of(rule.right[0], Part::first, ""));
+                }
+                all.push_back(std::move(one));
+            }
+        // Of a word of one letter, that letter stands on both sides of itself.
+        for (const Part part : {Part::first, Part::last}) {
+            const bool is_first = part == Part::first;
+            const std::vector<CpfgModule>&near = is_first ? rule.right : rule.left,
+                  &far = is_first ? rule.left : rule.right;
+            for (const bool alone : {false, true}) {
+                if (alone && (near.empty() || near[0].kind() != own.kind())) continue;
+                CpfgRule one = rule;
+                one.part = part;
+                one.predecessor = alone ? end_of(near[0], part, "") : is_first ? first : last;
+                one.left.clear();
+                one.right.clear();
+                std::vector<CpfgModule>& side = is_first ? one.right : one.left;
+                side = {own};
+                if (!near.empty()) {
+                    const CpfgModule next = alone ? (is_first ? last : first) : near[0];
+                    side.insert(is_first ? side.end() : side.begin(), next);
+                }
+                if (!far.empty())
+                    one.elsewhere.push_back(
+                        end_of(far[0], is_first ? Part::last : Part::first, ""));
+                all.push_back(std::move(one));
+            }
+        }
+    }
+
+    /// The letter that says that a module stands at an end, with its parameters or with ones of these names.
+    CpfgModule end_of(const CpfgModule& module, CpfgRule::Part part,
+                      const std::string& names) const {
+        CpfgModule end = module;
+        end.symbol = "X_" + std::to_string((part == CpfgRule::Part::first ? first_letters
+                                                                          : last_letters_from) +
+                                           ends_.at(module.kind()));
+        if (names.empty()) return end;
+        for (std::size_t i = 0; i < end.arguments.size(); ++i) {
+            const std::size_t place = end.arguments[i].place(0);
+            end.arguments[i] = {};
+            for (const char c : names + std::to_string(i)) end.arguments[i].add(c, place);
+        }
+        return end;
+    }
+    /// The letter for the first or the last module of a word that contexts see.
+    CpfgModule end_letter(const std::vector<CpfgModule>& word, CpfgRule::Part part,
+                          std::size_t place) const {
+        const bool is_first = part == CpfgRule::Part::first;
+        for (std::size_t i = 0; i < word.size(); ++i) {
+            const CpfgModule& module = is_first ? word[i] : word[word.size() - 1 - i];
+            if (!skipped_.contains(module.symbol)) return end_of(module, part, "");
+        }
+        refuse(place, "a word of a ring in which contexts see no letter",
+               "has no meaning in the notation, where only the next letter is known at the other "
+               "end");
+    }
+    /// What a rule makes of its module, or of a letter that says what an end is.
+    std::vector<CpfgModule> part_of(const CpfgRule& rule,
+                                    const std::vector<CpfgModule>& word) const {
+        if (joins_ends_ && !skipped_.contains(rule.predecessor.symbol))
+            end_letter(word, CpfgRule::Part::first, rule.place);
+        if (rule.part == CpfgRule::Part::all) return ended(word);
+        return {end_letter(word, rule.part, rule.place)};
+    }
+
     /// `[B]` in a context is a whole branch there and the beginning of one in the notation: where a letter may follow B, each branch gets
     /// a last letter, which stands in the context too, or `%`, behind which nothing is left.
     void mark_branches() {
@@ -680,7 +865,7 @@ private:
                 return std::ranges::any_of(rule.right, is_open);
             }))
             return;
-        std::set<std::string> skipped, seen{"[", "]"};
+        std::set<std::string> skipped, seen{"[", "]", end_of_branch};
         if (system_.ignored)
             for (const CpfgModule& module : modules(*system_.ignored))
                 skipped.insert(module.symbol);
@@ -696,14 +881,18 @@ private:
                     skipped.insert(module.symbol);
             }
         };
-        add("", modules(system_.axiom));
+        add("", ended(modules(system_.axiom)));
         for (const CpfgRule& rule : system_.rules)
-            for (const Case& one : successors(rule)) add(rule.predecessor.symbol, one.word);
-        for (const CpfgRule& rule : system_.rules)
-            if (!only_first_branches_match(rule.right, words, skipped))
+            for (const Case& one : successors(rule)) add(rule.predecessor.symbol, ended(one.word));
+        for (const CpfgRule& rule : system_.rules) {
+            std::vector<CpfgModule> context = rule.right;
+            for (CpfgModule& module : context)
+                if (module.symbol == gone_from_here) module.symbol = "%";
+            if (!only_first_branches_match(context, words, skipped))
                 refuse(std::ranges::find_if(rule.right, is_open)->place, "a branch in a context",
                        "is the first of those that stand together there, and any of them in the "
                        "notation: expected words in which no other of them begins so");
+        }
     }
 
     /// What stands behind `%` in a branch stays behind it, as long as no rule closes that branch.
@@ -919,7 +1108,7 @@ private:
     static std::vector<std::string> formal_order(const CpfgRule& rule) {
         std::vector<std::string> order;
         for (const Placed& formal : rule.predecessor.arguments) order.push_back(formal.text);
-        for (const auto* side : {&rule.left, &rule.right})
+        for (const auto* side : {&rule.left, &rule.right, &rule.elsewhere})
             for (const CpfgModule& module : *side)
                 for (const Placed& formal : module.arguments) order.push_back(formal.text);
         return order;
@@ -946,6 +1135,9 @@ private:
     }
     std::string considered_line() const {
         std::set<std::string> seen{"[", "]", end_of_branch, "%"};
+        for (const auto& [kind, number] : ends_)
+            for (const int from : {first_letters, last_letters_from})
+                seen.insert("X_" + std::to_string(from + number));
         for (const CpfgModule& module : modules(*system_.considered)) seen.insert(name(module));
         std::vector<std::string> names;
         for (const std::string& symbol : met_)
@@ -975,6 +1167,11 @@ private:
     std::string constants_, step_;
     std::set<std::string> counted_;              // letters with rules that read the step
     std::map<std::string, std::size_t> padded_;  // letters whose rules ask for so many modules
+    static constexpr int first_letters = 1000, last_letters_from = 2000;  // X_1000, X_2000
+    std::map<std::string, int>
+        ends_;                       // of a ring: the numbers of modules that may stand at its ends
+    std::set<std::string> skipped_;  // by contexts of a ring
+    bool joins_ends_ = false;
     bool cuts_later_ = false, ends_branches_ = false;
     std::vector<CpfgRule> added_;
     bool rewrites_cut_ = false;

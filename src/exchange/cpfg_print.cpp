@@ -190,10 +190,12 @@ private:
         if (!rule.left.empty()) out += context(rule.left) + " < ";
         out += module(rule.predecessor);
         if (!rule.right.empty()) out += " > " + context(rule.right);
-        if (rule.condition) {
-            if (python_) refuse(rule, "its condition is a program there");
-            out += " : " + expression(*rule.condition);
+        if (rule.condition && python_) {
+            const std::string made = word(rule.successor, as_drawn);
+            return out + " :\n    if " + expression(*rule.condition) + " : produce" +
+                   (made.empty() ? "" : " ") + made;
         }
+        if (rule.condition) out += " : " + expression(*rule.condition);
         out += " --> " + word(rule.successor, as_drawn);
         if (rule.probability) out += " : " + number(*rule.probability);
         return out;

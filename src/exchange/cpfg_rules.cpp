@@ -156,8 +156,7 @@ bool CpfgReader::read_header(const Placed& said) {
         system_.ignored.reset();
         return true;
     }
-    if (behind(said, {"ring lsystem", "Ring lsystem"}))
-        refuse(place, "a ring", "joins the ends of a word, which has no meaning in the notation");
+    if (behind(said, {"ring lsystem", "Ring lsystem"})) return system_.ring = place, true;
     if (behind(said, {"define:", "Define:"}))
         refuse(place, "arrays", "have no meaning in the notation");
     for (const char* block : {"Start:", "StartEach:", "EndEach:", "End:"})

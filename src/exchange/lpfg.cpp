@@ -63,8 +63,7 @@ public:
             } else if (keyword({"homomorphism:", "interpretation:"})) {
                 rules = &system_.interpretation;
             } else if (keyword({"ring L-system:", "ring lsystem:"})) {
-                refuse(place, "a ring",
-                       "joins the ends of a word, which has no meaning in the notation");
+                if (number(up_to_semicolon(text, at, at), "0 or 1") != 0) system_.ring = place;
             } else if (keyword({"StartEach:", "Start:", "EndEach:", "End:"})) {
                 at = next(text, at);
                 if (at == text.text.size() || text.text[at] != '{')

@@ -140,7 +140,20 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
         {file("A --> F(x)_(2)\n"), "the symbol _ goes by a tropism"},
         {file("A --> B\n#endif\n"), "x.l:5:1: error: #endif without #if"},
         {file("#if 1\nA --> B\n"), "x.l:4:1: error: expected #endif, found none"},
-        {file("A --> Y\n", "ABC", "ring lsystem\nderivation length: 1\n"), "a ring joins the ends"},
+        {file("A > B --> Y\n", "AB[C]", "ring lsystem\nderivation length: 1\n"),
+         "x.l:2:1: error: a ring with branches has no meaning"},
+        {file("AB < C --> Y\n", "ABC", "ring lsystem\nderivation length: 1\n"),
+         "x.l:5:1: error: a context of several modules in a ring has no meaning"},
+        {file("A < B --> *\n", "ABC", "ring lsystem\nderivation length: 1\n"),
+         "x.l:5:1: error: a word of a ring in which contexts see no letter has no meaning"},
+        {file("A < B --> C : 2\n", "ABC", "seed: 1\nring lsystem\nderivation length: 1\n"),
+         "x.l:3:1: error: a ring with choices and contexts has no meaning"},
+        {file("AB --> C\n", "ABC", "ring lsystem\nderivation length: 1\n"),
+         "x.l:2:1: error: a ring beside predecessors of several modules"},
+        {file("A < B --> C\n", "AB%C", "ring lsystem\nderivation length: 1\n"),
+         "x.l:2:1: error: a ring with % has no meaning"},
+        {file("A < B --> C\n+ --> A\n", "A+B", "ring lsystem\nignore: +\nderivation length: 1\n"),
+         "x.l:7:1: error: a rule of a ring by which contexts see more than before"},
         {file("A > B=C --> Y\n", "ABDC"), "= in a context skips what follows in a branch"},
         {file("A --> B(ran(2))\n"), "the function ran has no meaning"},
         {file("A --> B\n", "A", "define: { array a[3]; }\n"), "arrays have no meaning"},
@@ -508,7 +521,14 @@ TEST_CASE("parameters and conditions are written for cpfg") {
         text.substr(0, text.find("A(x,y) : x >= 4")) + "angle 30\nstart 0 0 90\n", "s");
     const Model back = read_cpfg(print_cpfg(plain), "back");
     for (std::uint64_t n = 0; n < 5; ++n) CHECK(printed_word(back, n) == printed_word(plain, n));
-    CHECK(holds(refusal([&] { print_lpy(plain); }), "its condition is a program there"));
+    // A block of L-Py.
+    CHECK(holds(print_lpy(plain), "A(x,y) :\n    if ((x<4) and (not ((y==3)))) : produce F("));
+    const Model block = read_lpy(print_lpy(plain), "back");
+    for (std::uint64_t n = 0; n < 5; ++n) CHECK(printed_word(block, n) == printed_word(plain, n));
+    const Model within = read_lsystem(
+        "axiom BA(1)B\nB < A(x) > B : x > 0 -> A(x-1)\nA(x) : x = 0 -> ε\nstart 0 0 90\n", "s");
+    for (std::uint64_t n = 0; n < 3; ++n)
+        CHECK(printed_word(read_lpy(print_lpy(within), "b"), n) == printed_word(within, n));
     const auto refused = [](const std::string& said) {
         return refusal([&] { print_cpfg(read_lsystem(said, "s")); });
     };

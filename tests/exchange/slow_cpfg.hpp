@@ -32,6 +32,7 @@ struct SlowSystem {
     SlowWord axiom;
     std::string ignored;
     std::vector<SlowRule> rules;
+    bool ring = false;
 
     bool skips(char symbol) const { return ignored.find(symbol) != std::string::npos; }
 
@@ -46,6 +47,7 @@ struct SlowSystem {
 
     std::string file() const {
         std::string out = "Lsystem: 1\nderivation length: 3\n";
+        if (ring) out += "ring lsystem\n";
         if (!ignored.empty()) out += "ignore: " + ignored + "\n";
         out += "Axiom: " + text(axiom) + "\n";
         for (const SlowRule& rule : rules) {
@@ -69,7 +71,9 @@ struct SlowSystem {
 
     /// As the program goes through a right context: `=` skips to the end of the branch, other branches are skipped where none is named.
     bool fits_right(const SlowWord& word, std::size_t at, const std::string& context) const {
-        for (std::size_t i = 0; i < context.size();) {
+        for (std::size_t i = 0, steps = 0; i < context.size(); ++steps) {
+            if (ring && at == word.size()) at = 0;
+            if (steps > 2 * word.size() + 2) return false;  // nothing is seen
             if (context[i] == '=') {
                 at = branch_end(word, at);
                 ++i;
@@ -91,8 +95,9 @@ struct SlowSystem {
     }
 
     bool fits_left(const SlowWord& word, std::size_t at, std::string context) const {
-        while (!context.empty()) {
-            if (at == 0) return false;
+        for (std::size_t steps = 0; !context.empty(); ++steps) {
+            if (ring && at == 0) at = word.size();
+            if (at == 0 || steps > 2 * word.size() + 2) return false;
             const SlowModule& here = word[--at];
             if (here.symbol == ']') {
                 for (int depth = 1; depth > 0;) {
@@ -161,7 +166,8 @@ inline SlowWord own_word(const Model& system, std::uint64_t n) {
             module.value = said.substr(at + 1, end - at - 1);
             at = end + 1;
         }
-        if (name != "X_60" && name != "X_81" && name != "X_93") word.push_back(module);
+        const bool is_end = name.size() == 6;  // X_1000
+        if (name != "X_60" && name != "X_81" && name != "X_93" && !is_end) word.push_back(module);
     }
     return word;
 }

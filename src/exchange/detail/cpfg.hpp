@@ -117,11 +117,13 @@ struct CpfgRule {
     std::optional<Placed> condition, weight;
     Placed successor;
     std::size_t place = 0;
+    std::vector<CpfgModule> elsewhere;  // modules that the notation looks for in the whole word
+    enum class Part { all, first, last } part = Part::all;  // of the successor, as a letter for it
 
     std::string letter() const { return predecessor.kind(); }
-    /// Modules of both contexts; brackets do not count where the longest context is chosen.
+    /// Modules of both contexts and elsewhere; brackets do not count where the longest context is chosen.
     std::size_t reach() const {
-        std::size_t count = 0;
+        std::size_t count = elsewhere.size();
         for (const auto* side : {&left, &right})
             for (const CpfgModule& module : *side)
                 count += module.symbol == "[" || module.symbol == "]" ? 0 : 1;
@@ -142,6 +144,7 @@ struct CpfgSystem {
     std::optional<Placed> ignored, considered;
     std::string generation;  // empty where none is said
     bool stochastic = false;
+    std::optional<std::size_t> ring;  // where the file says that the ends of words are joined
 };
 
 /// What the readers of the three kinds of files share.

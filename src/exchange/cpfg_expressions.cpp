@@ -226,7 +226,8 @@ struct Expressions {
             if (known == known_names.end()) return "0";  // with a warning there
             if (known->second.empty())
                 cpfg_refuse(source, text.place(begin), called,
-                            "is the number of the step, which has no meaning in the notation");
+                            "is assigned by a block, and keeps its value from one rule to the "
+                            "next, which has no meaning in the notation");
             return known->second;
         }
         std::vector<std::string> arguments{whole()};

@@ -50,6 +50,7 @@ private:
     std::string notation() {
         std::string text;
         std::set<std::string> names;
+        system_ = with_assigned(std::move(system_));
         for (const auto& [called, value] : system_.constants) {
             constants_ += "let " + called + " = " +
                           expression(value, {}, system_.integers.contains(called)) + "\n";
@@ -62,6 +63,7 @@ private:
             system_.rules, [](const CpfgRule& rule) { return rule.predecessor.symbol == "%"; });
         system_ = with_single_predecessors(source_, dialect_, std::move(system_));
         add_decompositions();
+        for (const std::string& name : system_.kept) known_[name] = "";
         name_steps();
         join_ends();
         name_steps();  // of letters for ends too
@@ -320,29 +322,6 @@ private:
         return joined(all, ", ");
     }
 
-    /// A text in which names stand for others, those of the same places.
-    static Placed with(const Placed& text, const std::map<std::string, Placed>& values) {
-        Placed out;
-        for (std::size_t i = 0; i < text.text.size();) {
-            std::size_t stop = i;
-            if (is_name_start(text.text[i]) && (i == 0 || !is_name_part(text.text[i - 1])))
-                while (stop < text.text.size() && is_name_part(text.text[stop])) ++stop;
-            const auto value = values.find(text.text.substr(i, stop - i));
-            if (stop == i || value == values.end()) {
-                for (stop = std::max(stop, i + 1); i < stop; ++i)
-                    out.add(text.text[i], text.place(i));
-                continue;
-            }
-            const std::size_t place = text.place(i);
-            out.add('(', place);
-            for (std::size_t k = 0; k < value->second.text.size(); ++k)
-                out.add(value->second.text[k], value->second.place(k));
-            out.add(')', place);
-            i = stop;
-        }
-        return out;
-    }
-
     /// What a value is that is given to a parameter that is a whole number.
     static Placed whole(const Placed& value) {
         Placed out;
@@ -412,7 +391,7 @@ private:
                                                                        : module.arguments[i]);
             std::string condition;
             if (rule.condition) {
-                condition = "(" + expression(with(*rule.condition, values), names) + ")";
+                condition = "(" + expression(cpfg_with(*rule.condition, values), names) + ")";
                 const std::optional<bool> holds = known(condition);
                 if (holds && !*holds) continue;
                 if (holds) condition.clear();
@@ -439,7 +418,7 @@ private:
         for (CpfgModule& one : found) {
             one.place = module.place;
             for (Placed& argument : one.arguments) {
-                argument = with(argument, values);
+                argument = cpfg_with(argument, values);
                 if (argument.text.size() > longest)
                     refuse(module.place, what,
                            "that gives an expression of more than 10000 characters");
@@ -993,7 +972,7 @@ private:
             for (const char c : ours[i]) name.add(c, rule.place);
             values.emplace(theirs[i], std::move(name));
         }
-        return expression(with(*earlier.condition, values), formals(rule));
+        return expression(cpfg_with(*earlier.condition, values), formals(rule));
     }
 
     /// Whether no parameters of a rule make two conditions true, as far as the notation sees it.

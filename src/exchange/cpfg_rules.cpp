@@ -35,19 +35,38 @@ void CpfgReader::refuse(std::size_t place, const std::string& what, const std::s
 std::vector<Placed> CpfgReader::statements(const Placed& whole) const {
     std::vector<Placed> out(1);
     int open = 0;
+    // Of a line of cpfg: whether it may have blocks, behind a colon and before an arrow, and how many braces are open in them.
+    bool may_have_blocks = false, is_word = false;
+    int braces = 0;
+    const auto begins_word = [&] {
+        const std::string& before = out.back().text;
+        return before == "Axiom" || before == "axiom" || before == "ignore" || before == "Ignore" ||
+               before == "consider" || before == "Consider";
+    };
     for (std::size_t i = 0; i < whole.text.size(); ++i) {
         const char c = whole.text[i];
         if (c == '(') ++open;
         if (c == ')') open = std::max(0, open - 1);
         const bool goes_on =
             !dialect_.python && i + 1 < whole.text.size() && whole.text[i + 1] == '\t';
+        if (c == ':' && open == 0 && !may_have_blocks && !is_word) {
+            is_word = begins_word();
+            may_have_blocks = !is_word && !dialect_.python;
+        }
+        if (may_have_blocks && (c == '{' || c == '}')) braces += c == '{' ? 1 : -1;
+        if (c == '>' && out.back().text.ends_with("--")) {
+            may_have_blocks = false;
+            is_word = true;
+        }
         if (c != '\n') {
             out.back().add(c, whole.at[i]);
-        } else if (goes_on || (open > 0 && dialect_.python)) {
+        } else if (goes_on || (open > 0 && dialect_.python) || (may_have_blocks && braces > 0)) {
             out.back().add(' ', whole.at[i]);
         } else {
             out.emplace_back();
             open = 0;
+            may_have_blocks = is_word = false;
+            braces = 0;
         }
     }
     return out;
@@ -159,11 +178,7 @@ bool CpfgReader::read_header(const Placed& said) {
     if (behind(said, {"ring lsystem", "Ring lsystem"})) return system_.ring = place, true;
     if (behind(said, {"define:", "Define:"}))
         refuse(place, "arrays", "have no meaning in the notation");
-    for (const char* block : {"Start:", "StartEach:", "EndEach:", "End:"})
-        if (behind(said, {block}))
-            refuse(place, std::string("the block ") + block,
-                   "holds statements, which have no meaning in the notation");
-    return false;
+    return read_header_block(said);
 }
 
 CpfgRule CpfgReader::rule(const Placed& line) const {
@@ -181,8 +196,6 @@ CpfgRule CpfgReader::rule(const Placed& line) const {
         head = head.part(0, colon);
         if (dialect_.python)
             refuse(condition->place(0), "a rule with a block", "is Python: expected only -->");
-        if (condition->text.find_first_of("{}") != std::string::npos)
-            refuse(condition->place(0), "a block of statements", "has no meaning in the notation");
         if (condition->text == "*") condition.reset();
     }
     CpfgRule found = head_of(head);
@@ -198,6 +211,7 @@ CpfgRule CpfgReader::rule(const Placed& line) const {
     if (dialect_.python && body.text.find("produce") != std::string::npos)
         refuse(body.place(0), "produce", "is Python: expected only modules behind -->");
     found.successor = body;
+    read_blocks(found);
     return found;
 }
 

@@ -157,13 +157,39 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
         {file("A > B=C --> Y\n", "ABDC"), "= in a context skips what follows in a branch"},
         {file("A --> B(ran(2))\n"), "the function ran has no meaning"},
         {file("A --> B\n", "A", "define: { array a[3]; }\n"), "arrays have no meaning"},
-        {file("A --> B\n", "A", "Start: { x = 1; }\n"), "the block Start: holds statements"},
+        {file("A --> B\n", "A", "Start: { fopen(1); }\n"),
+         "x.l:2:10: error: a statement other than NAME = number; has no meaning in the notation: "
+         "found 'fopen(1)'"},
+        {file("A --> B\n", "A", "Start: { srand(1; }\n"),
+         "x.l:2:10: error: a statement other than NAME = number;"},
+        {file("A --> B\n", "A", "End: { x = 1; }\n"), "the block End: holds statements"},
+        {file("A --> B\n", "A", "StartEach: { x = 2*x; }\n"),
+         "x.l:2:1: error: the block StartEach: has a meaning in the notation only where it adds "
+         "numbers: {n = n+1;}"},
+        {file("A --> B\n", "A", "Start: x = 1;\n"), "expected a block { ... } behind 'Start:'"},
+        {file("A --> B\n", "A", "Start: {x = 1;} y\n"),
+         "x.l:2:17: error: expected the end of the line behind the block, found 'y'"},
         {"#include \"a.l\"\n" + file("A --> B\n"),
          "x.l:1:1: error: expected a file of this name in the folder of the one that includes it "
          "or below, found none: #include \"a.l\""},
         {"#include <math.h>\n" + file("A --> B\n"),
          "x.l:1:1: error: the program's own files are not read: expected #include \"NAME\""},
-        {file("A(x) : {y = 1;} 1 --> B\n", "A(1)"), "a block of statements"},
+        {file("A(x) : {y = 1; --> B\n", "A(1)"), "x.l:4:8: error: unmatched '{'"},
+        {file("A(x) : y = 1;} 1 --> B\n", "A(1)"), "x.l:4:14: error: unmatched '}'"},
+        {file("A(x) : {y = 1;} --> B\n", "A(1)"),
+         "expected a condition beside the block, as in {x = 1;} 1, found none"},
+        {file("A(x) : {if (x > 1) {y = 1;}} 1 --> B\n", "A(1)"),
+         "x.l:4:20: error: a statement other than NAME = number; has no meaning"},
+        {file("A(x) : {y = ;} 1 --> B\n", "A(1)"), "x.l:4:11: error: expected a number behind '='"},
+        {file("A(x) : {n = n+1;} 1 --> B(n)\n", "A(1)"),
+         "x.l:4:13: error: n is assigned by a block, and keeps its value from one rule to the "
+         "next"},
+        {file("A(x) : {y = x;} 1 --> B\nB --> C(y)\n", "A(1)"),
+         "x.l:5:9: error: y is assigned by a block, and keeps its value"},
+        {file("A(x) : {x = x+x; x = x+x; x = x+x; x = x+x; x = x+x; x = x+x; x = x+x; x = x+x; "
+              "x = x+x; x = x+x; x = x+x; x = x+x; x = x+x;} 1 --> A(x)\n",
+              "A(1)"),
+         "a block that gives an expression of more than 10000 characters"},
         {file("AA --> C\n", "AABAB"),
          "x.l:4:2: error: a predecessor of several modules is one rule for all of them, which has "
          "a "
@@ -218,6 +244,46 @@ TEST_CASE("a decomposition with conditions uses the first rule that holds, at ea
                         "A(2);\nproduction:\nA(x) : { produce B(x*2); }\ndecomposition:\n"
                         "B(x) : { if (x > 3) produce F(x); else produce f(x); }\n",
                         "x.l")) == "f(2)F(4)");
+}
+
+TEST_CASE("what blocks of cpfg assign stands where it is read") {
+    const std::pair<std::string, const char*> all[] = {
+        {file("A(t) : {s = t+1;} s > 2 --> B(s)\nA(t) --> C(t)\n", "A(1)A(2)"), "C(1)B(3)"},
+        // Parameters are assigned too, before the condition and behind it, one after the other.
+        {file("A(t) : {t = t-1;} t > 0 {u = 2*t; v = u+t;} --> B(t,u,v)\nA(t) --> C(t)\n",
+              "A(1)A(3)"),
+         "C(1)B(2,4,6)"},
+        {file("A : * {u = 5;} --> B(u)\n"), "B(5)"},
+        {file("A : 1 {u = 5;\n  v = u*2;}\n\t--> B(u)u(v)\n"), "B(5)u(10)"},
+        // Names of modules are not those of numbers.
+        {file("A(x) : {x = 2;} 1 --> x(x)Ax\n", "A(1)"), "x(2)Ax"},
+        // Constants, and numbers that grow with the steps.
+        {file("A --> B(b,a)\n", "A(a)A",
+              "derivation length: 1\nStart: {a = 3; b = a/2;\n a = a+1;}\n"),
+         "A(4)B(1.5,4)"},
+        {file("A --> AB(n)\n", "A", "derivation length: 3\nStart: {n=5;}\nStartEach: {n=n+2;}\n"),
+         "AB(11)B(9)B(7)"},
+        {file("A --> A\ndecomposition\nB(x) : {x = x*2;} x < 9 --> C(x)\n", "B(3)B(6)"),
+         "C(6)B(6)"},
+        {file("A --> B\n", "A", "derivation length: 1\nEndEach: { }\n"), "B"},
+        // Messages and the seed of random numbers change nothing.
+        {file("A : 1 {printf(\"a; %d)\", 1); x = 2;} --> B(x)\n", "A",
+              "derivation length: 1\nStart: {srand(7);}\nEndEach: {printf(\"%f\\n\", x);}\n"),
+         "B(2)"},
+    };
+    for (const auto& [text, expected] : all) {
+        INFO(text);
+        const Model system = read_cpfg(text, "x.l");
+        std::string word = printed_word(system);
+        if (word.starts_with("X_81")) word = word.substr(word.find(')') + 1);
+        CHECK(word == expected);
+    }
+    // A block may stand in a homomorphism, and braces of polygons are none.
+    CHECK(printed_word(read_cpfg(file("A --> {F.}\nB : 1 --> {F\n", "A{B"), "x.l")) == "{F.}{{F");
+    const Model leaf = read_cpfg(
+        file("A(t) --> A(t+1)\nhomomorphism\nA(t) : {l = t/2;} 1 --> F(l)+(30)F(l)\n", "A(1)"),
+        "x.l");
+    CHECK(figure(leaf, 1, {})->segments() == Integer(2));
 }
 
 TEST_CASE("files that a file of cpfg includes are read, and errors name their places") {

@@ -119,6 +119,10 @@ TEST_CASE("what lpfg cannot say is refused with the reason") {
     const auto fault = [](const std::string& text) {
         return refusal([&] { read_lpfg(text, "x.lpfg"); });
     };
+    const std::string math = "#include <lpfgall.h>\n#include <math.h>\nmodule A(float);\n";
+    CHECK(fault(math + "Axiom: A(1);\nproduction:\nA(x) : { produce A(sqrt(x)); }\n").empty());
+    CHECK(holds(fault(math + "Axiom: A(1);\nproduction:\nA(x) : { produce A(M_PI); }\n"),
+                "x.lpfg:6:20: error: the name 'M_PI' has no value"));
     CHECK(holds(fault(""), "x.lpfg:1:1: error: expected a line `Axiom: F(1);`, found none"));
     CHECK(holds(fault("Axiom: A(1);\n"), "x.lpfg:1:8: error: the module 'A' is not declared"));
     CHECK(holds(fault("Axiom: F(1)\n"), "x.lpfg:1:7: error: expected ';' behind"));

@@ -118,6 +118,7 @@ struct CpfgRule {
     Placed successor;
     std::size_t place = 0;
     std::vector<CpfgModule> elsewhere;  // modules that the notation looks for in the whole word
+    std::set<std::string> assigned;     // names that its blocks assign
     enum class Part { all, first, last } part = Part::all;  // of the successor, as a letter for it
 
     std::string letter() const { return predecessor.kind(); }
@@ -144,7 +145,10 @@ struct CpfgSystem {
     std::optional<Placed> ignored, considered;
     std::string generation;  // empty where none is said
     bool stochastic = false;
-    std::optional<std::size_t> ring;  // where the file says that the ends of words are joined
+    std::map<std::string, Placed> started;  // what the block Start assigns
+    std::map<std::string, Placed> growing;  // what StartEach adds to a name in each step
+    std::set<std::string> kept;             // names that keep what blocks of rules assign
+    std::optional<std::size_t> ring;        // where the file says that the ends of words are joined
 };
 
 /// What the readers of the three kinds of files share.
@@ -201,6 +205,15 @@ protected:
     /// Modules, each command of several symbols being one: `@v`, `~l`, `?P`.
     std::vector<CpfgModule> modules(const Placed& text) const;
 
+    // Blocks.
+
+    /// `Start: { x = 1; }`, which is then read. Refuses what is no assignment.
+    bool read_header_block(const Placed& said);
+    /// Takes the blocks from the condition of a rule, `{x = 1;} x > y {z = 2;}`, and puts what they assign where it is read.
+    void read_blocks(CpfgRule& rule) const;
+    /// Adds what the statements of a block assign, in terms of what stood there before.
+    void assign(const Placed& block, std::map<std::string, Placed>& values) const;
+
     CpfgDialect dialect_;
     const Source& source_;
     CpfgSystem system_;  // what was read so far
@@ -211,6 +224,13 @@ private:
     std::size_t plus_name(const Placed& text, std::size_t at, CpfgModule& module) const;
     std::vector<CpfgModule> single_modules(const Placed& text) const;
 };
+
+/// A text in which names stand for others, those of the same places, in brackets.
+Placed cpfg_with(const Placed& text, const std::map<std::string, Placed>& values);
+/// The same of a word, in the numbers of its modules.
+Placed cpfg_with_in_numbers(const Placed& word, const std::map<std::string, Placed>& values);
+/// The same system with what its blocks assign as constants, and in terms of the step where it grows.
+CpfgSystem with_assigned(CpfgSystem system);
 
 /// Whether a symbol is a command of several characters, `@v`.
 inline bool is_cpfg_command(const std::string& symbol) {

@@ -210,7 +210,7 @@ private:
             if (known == all.end()) continue;
             const std::string symbol = met.substr(0, met.find('/'));
             std::string image = known->second;
-            if (symbol == "@O" && dialect_.python) image = "X_79(x)";
+            if (symbol == "@O" && (dialect_.python || dialect_.plus)) image = "X_79(x)";
             text +=
                 "interpret " + symbol + (met.ends_with("/1") ? "(x)" : "") + " -> " + image + "\n";
         }

@@ -336,7 +336,7 @@ std::size_t CpfgReader::plus_name(const Placed& text, std::size_t at, CpfgModule
         {"RollL", "\\"}, {"RollR", "/"},    {"TurnAround", "|"}, {"RollToVert", "@v"},
         {"SB", "["},     {"EB", "]"},       {"SP", "{"},         {"EP", "}"},
         {"PP", "."},     {"SetWidth", "!"}, {"SetColor", ";"},   {"IncColor", ";"},
-        {"Cut", "%"}};
+        {"Cut", "%"},    {"Sphere", "@O"}};
     const std::string name = name_at(text, at);
     if (name.empty())
         fail(text.place(at), "expected the name of a module, found " + shown(text, at));
@@ -352,7 +352,7 @@ std::size_t CpfgReader::plus_name(const Placed& text, std::size_t at, CpfgModule
                                  did_you_mean(name, names) +
                                  ": expected one of the file or of F, f, G, g, Left, Right, Down, "
                                  "Up, RollL, RollR, TurnAround, RollToVert, SB, EB, SP, EP, PP, "
-                                 "SetWidth, SetColor, IncColor, Cut");
+                                 "SetWidth, SetColor, IncColor, Sphere, Cut");
     }
     module.symbol = found->second;
     return name.size();

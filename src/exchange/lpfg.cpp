@@ -1,3 +1,4 @@
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -167,19 +168,73 @@ private:
                      shown(text, begin));
         const CpfgRule head = head_of(text.part(begin, colon));
         const std::size_t end = closing(text, brace);
-        plus_block(text.part(brace + 1, end), head, {}, all);
+        Local local;
+        for (const auto* side : {&head.left, &head.right})
+            for (const CpfgModule& module : *side) add_formals(module, local);
+        add_formals(head.predecessor, local);
+        plus_block(text.part(brace + 1, end), head, {}, local, all);
         return end + 1;
     }
 
+    /// What a block has assigned so far, and the types of the names that it may assign: its own, and the parameters of the rule.
+    struct Local {
+        std::map<std::string, Placed> values;
+        std::map<std::string, std::string> types;
+    };
+    void add_formals(const CpfgModule& module, Local& local) const {
+        const auto types = system_.types.find(module.symbol);
+        for (std::size_t i = 0; i < module.arguments.size(); ++i)
+            local.types[module.arguments[i].text] =
+                types != system_.types.end() && i < types->second.size() ? types->second[i]
+                                                                         : "float";
+    }
+    /// `x = 0.5*t`, `float x = 0.5*t`: with the type that the value gets.
+    void assign_local(const Placed& said, Local& local) const {
+        constexpr std::size_t longest = 10'000;
+        std::size_t at = 0;
+        std::string type = name_at(said, 0);
+        if (type == "const") type = name_at(said, at = next(said, type.size()));
+        const bool declares = type == "int" || type == "float" || type == "double";
+        if (declares) at = next(said, at + type.size());
+        const std::string name = name_at(said, at);
+        const std::size_t sign = next(said, at + name.size());
+        const bool assigns = !name.empty() && sign < said.text.size() && said.text[sign] == '=' &&
+                             (sign + 1 == said.text.size() || said.text[sign + 1] != '=') &&
+                             outside(said.text.substr(sign), ',') == std::string::npos;
+        if (!assigns)
+            refuse(said.place(0), "a statement of C++",
+                   "is not read: expected produce, if, else or NAME = number; found " +
+                       shown(said, 0));
+        if (!declares && !local.types.contains(name))
+            refuse(said.place(at), "an assignment to " + name,
+                   "is read only of parameters of the rule and of names that the same block "
+                   "declares, as in `float " +
+                       name + " = 1;`");
+        if (!declares) type = local.types.at(name);
+        Placed value;
+        for (const char c : type == "int" ? std::string_view("int(") : std::string_view("float("))
+            value.add(c, said.place(sign));
+        const Placed given = said.part(sign + 1, said.text.size()).trimmed();
+        if (given.text.empty()) fail(said.place(sign), "expected a number behind '='");
+        value.append(cpfg_with(given, local.values));
+        value.add(')', said.place(sign));
+        if (value.text.size() > longest)
+            refuse(said.place(0), "a block",
+                   "that gives an expression of more than 10000 characters");
+        local.types[name] = type;
+        local.values[name] = std::move(value);
+    }
+
     void plus_block(const Placed& block, const CpfgRule& head, const std::vector<Placed>& path,
-                    std::vector<CpfgRule>& all) const {
+                    Local local, std::vector<CpfgRule>& all) const {
         for (std::size_t at = next(block, 0); at < block.text.size(); at = next(block, at))
-            at = plus_statement(block, at, head, path, all);
+            at = plus_statement(block, at, head, path, local, all);
     }
 
     /// Reads one statement; gives where the text goes on.
     std::size_t plus_statement(const Placed& text, std::size_t at, const CpfgRule& head,
-                               std::vector<Placed> path, std::vector<CpfgRule>& all) const {
+                               std::vector<Placed> path, Local& local,
+                               std::vector<CpfgRule>& all) const {
         constexpr std::size_t deepest = 100;
         if (at >= text.text.size())
             fail(text.place(at), "expected a statement, found the end of the block");
@@ -189,13 +244,16 @@ private:
         if (text.text[at] == ';') return at + 1;
         if (text.text[at] == '{') {
             const std::size_t end = closing(text, at);
-            plus_block(text.part(at + 1, end), head, path, all);
+            plus_block(text.part(at + 1, end), head, path, within(local), all);
             return end + 1;
         }
         const std::string word = name_at(text, at);
         if (word == "produce") {
             std::size_t end = at;
-            add_produced(all, head, path, up_to_semicolon(text, at + word.size(), end), place);
+            add_produced(
+                all, head, path,
+                cpfg_with_in_numbers(up_to_semicolon(text, at + word.size(), end), local.values),
+                place);
             return end;
         }
         if (word == "if") {
@@ -203,20 +261,25 @@ private:
             if (open >= text.text.size() || text.text[open] != '(')
                 fail(text.place(open), "expected '(' behind 'if', found " + shown(text, open));
             const std::size_t close = closing(text, open);
-            const Placed condition = text.part(open + 1, close).trimmed();
+            const Placed condition = cpfg_with(text.part(open + 1, close).trimmed(), local.values);
+            Local inner = within(local), other_inner = inner;
             path.push_back(side(condition, true));
-            at = plus_statement(text, next(text, close + 1), head, path, all);
+            at = plus_statement(text, next(text, close + 1), head, path, inner, all);
             const std::size_t other = next(text, at);
             if (name_at(text, other) != "else") return at;
             path.back() = side(condition, false);
-            return plus_statement(text, next(text, other + 4), head, path, all);
+            return plus_statement(text, next(text, other + 4), head, path, other_inner, all);
         }
         if (word == "nproduce")
             refuse(place, "nproduce",
                    "goes on behind what it makes, which is not read: expected produce");
-        refuse(place, "a statement of C++",
-               "is not read: expected produce, if or else; found " + shown(text, at));
+        std::size_t end = text.text.find(';', at);
+        if (end == std::string::npos) end = text.text.size();
+        assign_local(text.part(at, end).trimmed(), local);
+        return end + 1;
     }
+    /// In a block within another what that one assigned may be read and not assigned, since it would be known behind the block.
+    static Local within(const Local& local) { return {local.values, {}}; }
 };
 
 }  // namespace

@@ -61,6 +61,7 @@ bool is_reserved(const std::string& said) {
                                            "SetWidth",
                                            "SetColor",
                                            "IncColor",
+                                           "Sphere",
                                            "Cut",
                                            "Axiom",
                                            "axiom",

@@ -394,9 +394,14 @@ TEST_CASE("the declarative part of a program of lpfg is read") {
     };
     const std::pair<std::string, const char*> all[] = {
         {"A(x) : { y = 1; produce A(y); }\n",
-         "x.l:3:10: error: a statement of C++ is not read: expected produce, if or else; found 'y "
-         "= 1; "
-         "produce A(y); '"},
+         "x.l:3:10: error: an assignment to y is read only of parameters of the rule and of names "
+         "that the same block declares, as in `float y = 1;`"},
+        {"A(x) : { if (x > 1) { x = 2; } produce A(x); }\n",
+         "x.l:3:23: error: an assignment to x is read only of parameters"},
+        {"A(x) : { f(1); produce A(x); }\n",
+         "x.l:3:10: error: a statement of C++ is not read: expected produce, if, else or NAME = "
+         "number; found 'f(1)'"},
+        {"A(x) : { float y = 1, z = 2; produce A(y); }\n", "a statement of C++ is not read"},
         {"A(x) : { nproduce A(x); }\n", "x.l:3:10: error: nproduce goes on behind what it makes"},
         {"A(x) : { produce C(x); }\n", "x.l:3:18: error: the module 'C' is not declared"},
         {"A(x) : { produce A(sin(x)); }\n", "x.l:3:20: error: the function sin takes radians in C"},

@@ -97,6 +97,28 @@ TEST_CASE("letters that are no names in L+C, or those of others, get names") {
     CHECK(holds(print_lpfg(right), "Right(50)"));
 }
 
+TEST_CASE("what a block of L+C assigns stands where it is read, with its type") {
+    const std::string head =
+        "#include <lpfgall.h>\nmodule A(int, float);\nmodule B(float);\nderivation length: 1;\n"
+        "Axiom: A(7, 1) A(1, 3);\nproduction:\n";
+    const auto word = [&](const std::string& rule) {
+        const Model system = read_lpfg(head + rule, "x.lpfg");
+        const DerivedModules derived = derived_modules(system, 1, {});
+        return ModuleText(system.alphabet, derived.kinds).text(derived.word);
+    };
+    // 7/2 is 3 for whole numbers, also where an int gets it; 1/2 is 0 for a float too, which is then divided as one.
+    CHECK(word("A(n, x) : { float y = n/2; int k = x*2.7; produce B(y) B(k) B(y/2); }\n") ==
+          "B(3)B(2)B(1.5)B(0)B(8)B(0)");
+    CHECK(word("A(n, x) : { n = n/2; x = n/2; if (n > 1) { float z = x + 1; produce B(z); } "
+               "produce B(n); }\n") == "B(2)B(0)");
+    CHECK(
+        word(
+            "A(n, x) : { x = x + 0.5; if (x > 2) produce B(x); else { const float y = x*2; produce "
+            "B(y); } }\n") == "B(3)B(3.5)");
+    CHECK(scene_of(read_lpfg("#include <lpfgall.h>\nAxiom: F(1) Sphere(2);\n", "x"), 0)
+              .scene.solids.size() == 1);
+}
+
 TEST_CASE("what lpfg cannot say is refused with the reason") {
     const auto refused = [](const std::string& said) {
         return refusal([&] { print_lpfg(read_lsystem(said, "s")); });

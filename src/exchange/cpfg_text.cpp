@@ -127,7 +127,8 @@ private:
         if (is_left_out()) return next;
         if (kind == "include" && dialect_.plus) {
             // The modules of lpfgall.h are known, and what headers of C declare is known or refused where it is used.
-            if (line.find('<') != std::string::npos && line.find('"') == std::string::npos)
+            if (line.find("lpfgall.h") != std::string::npos ||
+                (line.find('<') != std::string::npos && line.find('"') == std::string::npos))
                 return next;
         }
         if (line_marker(text.substr(at, text.find('\n', at) - at))) return next;

@@ -141,7 +141,7 @@ TEST_CASE("what lpfg cannot say is refused with the reason") {
     const auto fault = [](const std::string& text) {
         return refusal([&] { read_lpfg(text, "x.lpfg"); });
     };
-    const std::string math = "#include <lpfgall.h>\n#include <math.h>\nmodule A(float);\n";
+    const std::string math = "#include \"lpfgall.h\"\n#include <math.h>\nmodule A(float);\n";
     CHECK(fault(math + "Axiom: A(1);\nproduction:\nA(x) : { produce A(sqrt(x)); }\n").empty());
     CHECK(holds(fault(math + "Axiom: A(1);\nproduction:\nA(x) : { produce A(M_PI); }\n"),
                 "x.lpfg:6:20: error: the name 'M_PI' has no value"));

@@ -306,6 +306,10 @@ void CpfgReader::declare(const std::string& name, std::size_t place) {
     if (name.starts_with("F_") || name.starts_with("f_"))
         fail(place, "the turtle of the notation draws and moves with names such as " + name +
                         ": expected another name");
+    if (name.starts_with("X_") && name.find_first_not_of("0123456789", 2) == std::string::npos)
+        fail(place, "names such as " + name +
+                        " stand for letters that the notation has no symbols for: expected "
+                        "another name");
     system_.modules.push_back(name);
 }
 

@@ -294,7 +294,7 @@ private:
             }
             std::string called = name(kind.first);
             if (!is_plain_name(called) || called.starts_with("F_") || called.starts_with("f_") ||
-                is_reserved(called)) {
+                called.starts_with("X_") || is_reserved(called)) {
                 std::string code;
                 for (const char c : called)
                     code += std::isalnum(static_cast<unsigned char>(c)) != 0

@@ -87,6 +87,13 @@ TEST_CASE("letters that are no names in L+C, or those of others, get names") {
     }
     CHECK(numbers(back, 3, "g") == "");
     CHECK(length(back, 3) > length(back, 1));
+    // Letters that stand for symbols of cpfg are told from them.
+    const Model coloured =
+        read_lpfg(print_lpfg(read_lsystem("axiom FX_59F\nF > X_59 -> F F\ninterpret X_59 -> '\n"
+                                          "start 0 0 90\ncolour red blue\n",
+                                          "c")),
+                  "c.lpfg");
+    CHECK(length(coloured, 1) == 4);
     // Turns to the right, colours and widths.
     const Model right = read_lsystem(
         "axiom F+F+(30)F'F'(2)F!(0.1)F|F{F.F}\nF -> F-F\nangle 50\nturn clockwise\nstart 0 0 90\n"
@@ -145,6 +152,9 @@ TEST_CASE("what lpfg cannot say is refused with the reason") {
     CHECK(fault(math + "Axiom: A(1);\nproduction:\nA(x) : { produce A(sqrt(x)); }\n").empty());
     CHECK(holds(fault(math + "Axiom: A(1);\nproduction:\nA(x) : { produce A(M_PI); }\n"),
                 "x.lpfg:6:20: error: the name 'M_PI' has no value"));
+    CHECK(holds(fault("module X_59();\nAxiom: X_59();\n"),
+                "x.lpfg:1:8: error: names such as X_59 stand for letters that the notation has no "
+                "symbols for: expected another name"));
     CHECK(holds(fault(""), "x.lpfg:1:1: error: expected a line `Axiom: F(1);`, found none"));
     CHECK(holds(fault("Axiom: A(1);\n"), "x.lpfg:1:8: error: the module 'A' is not declared"));
     CHECK(holds(fault("Axiom: F(1)\n"), "x.lpfg:1:7: error: expected ';' behind"));

@@ -484,6 +484,27 @@ public:
           obedient_(turtle.manner_, events),
           draws_(~turtle.seed_, turtle.generation_) {}
 
+    /// Writes down what would be obeyed, and obeys nothing.
+    ModuleString written(const ModuleString& word, std::vector<std::uint32_t>& lengths,
+                         const Budget& budget) {
+        ModuleString out;
+        written_ = &out;
+        lengths.clear();
+        const double* values = word.values.data();
+        for (position_ = 0; position_ < word.kinds.size(); ++position_) {
+            if (position_ % 65536 == 0) budget.check();
+            const std::size_t before = out.kinds.size();
+            go_past(turtle_.own_kinds_[word.kinds[position_]], values, budget);
+            values += turtle_.rules_.kinds.arity(turtle_.own_kinds_[word.kinds[position_]]);
+            lengths.push_back(static_cast<std::uint32_t>(out.kinds.size() - before));
+            if (out.kinds.size() > budget.letters)
+                throw BoundReached(Bound::letters, turtle_.name_ + " is drawn by more than " +
+                                                       std::to_string(budget.letters) +
+                                                       " commands");
+        }
+        return out;
+    }
+
     TurtleState all(const ModuleString& word, const Budget& budget) {
         const bool wanted = events_.wants_modules();
         const double* values = word.values.data();
@@ -493,15 +514,7 @@ public:
             modules.at(position_);
             if (wanted) events_.before(position_, obedient_.state());
             const ModuleKind kind = turtle_.own_kinds_[word.kinds[position_]];
-            if (turtle_.interpreted_[kind]) {
-                interpreted_ = 0;
-                top_ = kind;
-                top_values_ = values;
-                interpret(kind, values, 0, budget);
-                top_values_ = nullptr;
-            } else {
-                obey(kind, values);
-            }
+            go_past(kind, values, budget);
             values += turtle_.rules_.kinds.arity(kind);
         }
         try {
@@ -520,7 +533,23 @@ private:
         throw Error(where + ": " + text.text(kind, values) + ": " + what);
     }
 
+    /// A module of the word.
+    void go_past(ModuleKind kind, const double* values, const Budget& budget) {
+        if (!turtle_.interpreted_[kind]) return obey(kind, values);
+        interpreted_ = 0;
+        top_ = kind;
+        top_values_ = values;
+        interpret(kind, values, 0, budget);
+        top_values_ = nullptr;
+    }
+
     void obey(ModuleKind kind, const double* values) {
+        if (written_) {
+            written_->kinds.push_back(kind);
+            written_->values.insert(written_->values.end(), values,
+                                    values + turtle_.rules_.kinds.arity(kind));
+            return;
+        }
         const TurtleCommand& command = turtle_.commands_[kind];
         if (turtle_.rules_.inner && command.operation != TurtleOperation::nothing &&
             !obedient_.skips(command) &&
@@ -619,7 +648,15 @@ private:
     std::uint64_t interpreted_ = 0, choices_ = 0;
     ModuleKind top_ = 0;
     const double* top_values_ = nullptr;  // of the module of the word that is interpreted
+    ModuleString* written_ = nullptr;     // what would be obeyed, if nothing is
 };
+
+ModuleString ModuleTurtle::interpreted(const ModuleString& word,
+                                       std::vector<std::uint32_t>& lengths,
+                                       const Budget& budget) const {
+    TurtleEvents nobody;
+    return Walk(*this, nobody).written(word, lengths, budget);
+}
 
 TurtleState ModuleTurtle::walk(const ModuleString& word, TurtleEvents& events,
                                const Budget& budget) const {

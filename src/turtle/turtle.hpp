@@ -566,6 +566,39 @@ std::unique_ptr<Figure> open_figure(const Model& system, std::uint64_t n, const 
                                     const FigureChoices& choices = {},
                                     std::shared_ptr<Environment> external = nullptr);
 
+/// The way of a system from a generation to the next, as smooth growth (Prusinkiewicz and Lindenmayer 1990, chapter 6, gives ages to
+/// modules for it; here their rules say what grows).
+///
+/// At the share 0 of the way the figure is that of generation n, at 1 that of generation n+1, and it moves without a jump between them:
+///
+/// - A module that stays is drawn as it is. Of one whose successor has its letter once outside brackets, `F(x) -> F(1.1*x)[+F(1)]`, that
+///   letter is itself grown older: its parameters go from the old ones to the new ones.
+/// - What is new beside it, and all that a module makes which draws nothing, begins with the length 0; turns outside brackets begin with
+///   the angle 0, those inside have all of it, so that branches come out sideways.
+/// - A stroke that becomes several, `F -> F+F--F+F`, begins as these in a straight line, together as long as it was.
+///
+/// A turn that becomes another turn, and what becomes nothing, jumps at the beginning. Widths and colours are those of generation n+1.
+class ContinuousDevelopment {
+public:
+    /// From the word of generation n on. Throws what Rewriting throws, and Error for a system with shape rules or communication modules, or
+    /// one that leaves a choice which `choices` does not make. Linear in the lengths of both words.
+    ContinuousDevelopment(const Model& system, std::uint64_t n, const FigureChoices& choices,
+                          const Budget& budget);
+    ~ContinuousDevelopment();
+
+    /// The word of commands at a share of the way, from 0 to 1, drawn as generation n + 1 of `system()` is. Throws what a walk throws.
+    ///
+    /// Example: ContinuousDevelopment(read_lsystem("axiom F; F -> FF", ""), 0, {}, {}).at(0.5).word.values == std::vector<double>{0.75, 0.75}
+    DerivedModules at(double share, const Budget& budget = {}) const;
+
+    /// The settings of the system, with all that turtles understand and no rules to interpret it by.
+    const Model& system() const;
+
+private:
+    struct Way;
+    std::unique_ptr<const Way> way_;
+};
+
 // -------------------------------------------------------------------------------------------------
 // What is left on the paper
 

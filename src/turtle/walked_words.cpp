@@ -1,5 +1,7 @@
 #include "turtle/detail/environments.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -237,6 +239,254 @@ DerivedModules open_modules(const Model& system, std::uint64_t n, const FigureCh
     development.go_to(n, choices.tables, budget);
     return {development.rules().kinds, development.word(), chosen.seed,
             class_of(system).parametric ? "an environment measures a figure" : ""};
+}
+
+// --- Between two generations ---
+
+struct ContinuousDevelopment::Way {
+    /// What holds of a module of the later word.
+    struct Part {
+        double begin = 0;     // of the lengths it goes, what they are at the share 0, as a factor
+        double size = 0;      // likewise of what it leaves where it stands
+        bool turns = false;   // its turns outside brackets begin at 0
+        bool joined = false;  // it is of the same module of the earlier word as the part before it
+        std::optional<std::size_t> older;  // where the parameters of its earlier self are
+    };
+
+    Way(const Model& system, const ModuleKinds& kinds, std::uint64_t next, std::uint64_t seed)
+        : turtle(system, kinds, next, seed), kinds(kinds), commands(system) {
+        commands.interpretation.clear();
+        for (const char* const needed : {"+", "*"}) commands.alphabet.symbol(needed);
+    }
+
+    ModuleTurtle turtle;  // of the later generation
+    ModuleKinds kinds;
+    Model commands;  // the system without interpretation
+    ModuleString earlier, later;
+    std::vector<Part> parts;  // by module of the later word
+    double spin = 0;          // degrees that the later figure is turned by
+};
+
+namespace {
+
+/// Goes through commands and knows how many brackets are open.
+class CommandWalk {
+public:
+    CommandWalk(const ModuleTurtle& turtle, const ModuleString& word)
+        : turtle_(turtle), word_(word), values_(word.values.data()) {}
+
+    const TurtleCommand& command() const { return turtle_.command(kind()); }
+    ModuleKind kind() const { return word_.kinds[at_]; }
+    const double* values() const { return values_; }
+    std::size_t depth() const { return depth_; }
+
+    void begin() { depth_ = 0; }
+    void next() {
+        if (command().operation == TurtleOperation::push) ++depth_;
+        if (command().operation == TurtleOperation::pop && depth_ > 0) --depth_;
+        values_ += turtle_.kinds().arity(kind());
+        ++at_;
+    }
+
+    /// How many steps the turtle goes by the next `count` commands outside brackets; goes past them.
+    double way(std::size_t count) {
+        double steps = 0;
+        for (; count > 0; --count, next()) {
+            using enum TurtleOperation;
+            const TurtleOperation operation = command().operation;
+            if (depth_ > 0 ||
+                (operation != draw && operation != draw_unmarked && operation != move))
+                continue;
+            const double amount = command().parameters > 0 ? *values_ : 1;
+            if (!WordValues::is_held(amount)) steps += std::fabs(amount);
+        }
+        return steps;
+    }
+
+private:
+    const ModuleTurtle& turtle_;
+    const ModuleString& word_;
+    const double* values_;
+    std::size_t at_ = 0, depth_ = 0;
+};
+
+std::vector<std::size_t> offsets_of(const ModuleKinds& kinds, const ModuleString& word) {
+    std::vector<std::size_t> offsets;
+    std::size_t at = 0;
+    for (const ModuleKind kind : word.kinds) {
+        offsets.push_back(at);
+        at += kinds.arity(kind);
+    }
+    return offsets;
+}
+
+bool same_modules(const ModuleKinds& kinds, const ModuleString& a, std::size_t at_a,
+                  std::size_t values_a, const ModuleString& b, std::size_t at_b,
+                  std::size_t values_b) {
+    const auto from = [](const ModuleString& word, std::size_t offset) {
+        return word.values.begin() + static_cast<std::ptrdiff_t>(offset);
+    };
+    return a.kinds[at_a] == b.kinds[at_b] &&
+           std::equal(from(a, values_a), from(a, values_a + kinds.arity(a.kinds[at_a])),
+                      from(b, values_b), same_value);
+}
+
+}  // namespace
+
+ContinuousDevelopment::~ContinuousDevelopment() = default;
+
+const Model& ContinuousDevelopment::system() const { return way_->commands; }
+
+ContinuousDevelopment::ContinuousDevelopment(const Model& system, std::uint64_t n,
+                                             const FigureChoices& choices, const Budget& budget) {
+    if (class_of(system).open)
+        throw Error(
+            "cannot grow " + (system.name.empty() ? "the system" : system.name) +
+            " between generations: it has communication modules, which are asked once in each");
+    check_choices(system, n + 1, choices);
+    const RewritingChoices chosen = rewriting_choices(system, choices);
+    const Rewriting rewriting(system, chosen, budget);
+    ModuleString earlier = derive(rewriting, n, choices.tables, budget);
+    TracedStep step = rewriting.traced(
+        earlier, n, choices.tables.empty() ? rewriting.own_table(n) : choices.tables.at(n), budget);
+    const ModuleKinds& kinds = rewriting.rules().kinds;
+    auto way = std::make_unique<Way>(system, kinds, n + 1, chosen.seed);
+    way->earlier = std::move(earlier);
+    way->later = std::move(step.word);
+
+    const ModuleTurtle before(system, kinds, n, chosen.seed);
+    const double shrunk = before.start().step / way->turtle.start().step;
+    way->spin = system.drawing.spin ? system.drawing.spin->value : 0;
+    std::vector<std::uint32_t> old_counts, new_counts;
+    const ModuleString old_commands = before.interpreted(way->earlier, old_counts, budget),
+                       new_commands = way->turtle.interpreted(way->later, new_counts, budget);
+    const auto old_offsets = offsets_of(kinds, way->earlier),
+               new_offsets = offsets_of(kinds, way->later);
+    CommandWalk old_way(before, old_commands), new_way(way->turtle, new_commands);
+    way->parts.resize(way->later.kinds.size());
+    std::size_t first = 0;  // of the successor
+    for (std::size_t m = 0; m < way->earlier.kinds.size(); ++m) {
+        if (m % 65536 == 0) budget.check();
+        const std::size_t end = first + step.lengths[m];
+        old_way.begin();
+        const double was = old_way.way(old_counts[m]);
+        // The letter itself, if it stands outside brackets once.
+        std::size_t own = end;
+        bool is_once = true;
+        double is = 0;
+        new_way.begin();
+        for (std::size_t i = first; i < end; ++i) {
+            if (new_way.depth() == 0 && way->later.kinds[i] == way->earlier.kinds[m]) {
+                is_once = own == end;
+                own = i;
+            }
+            is += new_way.way(new_counts[i]);
+        }
+        const bool goes_on = own < end && is_once;
+        const bool stays = goes_on && end == first + 1 &&
+                           same_modules(kinds, way->earlier, m, old_offsets[m], way->later, first,
+                                        new_offsets[first]);
+        for (std::size_t i = first; i < end; ++i) {
+            Way::Part& part = way->parts[i];
+            part.joined = i > first;
+            if (goes_on && i == own) {
+                part.begin = part.size = shrunk;
+                if (!stays) part.older = old_offsets[m];
+            } else {
+                part.begin = goes_on || !(is > 0) ? 0 : shrunk * was / is;
+                part.turns = true;
+            }
+        }
+        first = end;
+    }
+    way_ = std::move(way);
+}
+
+DerivedModules ContinuousDevelopment::at(double share, const Budget& budget) const {
+    const Way& way = *way_;
+    ModuleString word = way.later;
+    const auto offsets = offsets_of(way.kinds, word);
+    for (std::size_t i = 0; i < way.parts.size(); ++i) {
+        const auto& older = way.parts[i].older;
+        if (!older) continue;
+        for (std::size_t k = 0; k < way.kinds.arity(word.kinds[i]); ++k) {
+            double& value = word.values[offsets[i] + k];
+            const double old = way.earlier.values[*older + k];
+            if (WordValues::is_held(value) || WordValues::is_held(old)) continue;
+            if (value != old) value = (1 - share) * old + share * value;
+        }
+    }
+    std::vector<std::uint32_t> counts;
+    const ModuleString commands = way.turtle.interpreted(word, counts, budget);
+    DerivedModules out;
+    out.kinds = way.turtle.kinds();
+    const auto symbol = [&](const char* name) { return *way.commands.alphabet.find(name); };
+    const auto add = [&](ModuleKind kind, const double* values) {
+        out.word.kinds.push_back(kind);
+        out.word.values.insert(out.word.values.end(), values, values + out.kinds.arity(kind));
+    };
+    /// The module with another first parameter.
+    const auto add_amount = [&](ModuleKind kind, const double* values, double amount) {
+        const std::size_t arity = out.kinds.arity(kind);
+        out.word.kinds.push_back(arity > 0 ? kind
+                                           : out.kinds.kind(way.turtle.kinds().letter(kind), 1));
+        out.word.values.push_back(amount);
+        if (arity > 1) out.word.values.insert(out.word.values.end(), values + 1, values + arity);
+    };
+    const auto add_one = [&](const char* name, double amount) {
+        add(out.kinds.kind(symbol(name), 1), &amount);
+    };
+    const TurtleManner& manner = way.turtle.manner();
+    const double angle = manner.clockwise ? -manner.angle : manner.angle;
+    if (way.spin != 0 && share < 1)
+        add_one("+", (manner.clockwise ? 1 : -1) * way.spin * (1 - share));
+    CommandWalk course(way.turtle, commands);
+    for (std::size_t i = 0; i < way.parts.size(); ++i) {
+        if (i % 65536 == 0) budget.check();
+        const Way::Part& part = way.parts[i];
+        if (!part.joined) course.begin();
+        for (std::uint32_t k = 0; k < counts[i]; ++k, course.next()) {
+            using enum TurtleOperation;
+            const TurtleCommand& command = course.command();
+            const double* const values = course.values();
+            const double given = command.parameters > 0 ? *values : 0;
+            // What opens inside brackets is new, whatever it stands in.
+            const bool is_branch = part.turns && course.depth() > 0;
+            const double length = (is_branch ? 0 : (1 - share) * part.begin) + share,
+                         size = (1 - share) * part.size + share;
+            const bool is_turn = command.operation == left || command.operation == right ||
+                                 command.operation == down || command.operation == up ||
+                                 command.operation == roll_left || command.operation == roll_right;
+            const bool leaves = command.operation == stamp || command.operation == surface ||
+                                (command.operation == solid && !command.solid->is_rotation());
+            if (command.operation == nothing) continue;
+            if (WordValues::is_held(given)) {
+                add(course.kind(), values);
+            } else if (command.operation == draw || command.operation == draw_unmarked ||
+                       command.operation == move) {
+                if (length == 1)
+                    add(course.kind(), values);
+                else
+                    add_amount(course.kind(), values,
+                               length * (command.parameters > 0 ? given : 1));
+            } else if (part.turns && !is_branch && share < 1 && is_turn) {
+                add_amount(course.kind(), values, share * (command.parameters > 0 ? given : angle));
+            } else if (part.turns && !is_branch && share < 1 && command.operation == back) {
+                add_one("+", 180 * share);
+            } else if (leaves && size != 1) {
+                const double factor = std::max(size, 1e-9);  // that the step can be divided by
+                add_one("*", factor);
+                add(course.kind(), values);
+                add_one("*", 1 / factor);
+            } else {
+                add(course.kind(), values);
+            }
+        }
+        if (out.word.kinds.size() > budget.letters)
+            throw BoundReached(Bound::letters, way.turtle.name() + " is drawn by more than " +
+                                                   std::to_string(budget.letters) + " commands");
+    }
+    return out;
 }
 
 }  // namespace algae

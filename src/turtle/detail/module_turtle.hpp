@@ -221,6 +221,15 @@ public:
     TurtleState walk(const ModuleString& word, TurtleEvents& events,
                      const Budget& budget = {}) const;
 
+    /// The modules that the turtle obeys on its walk over the word, in place of those that are interpreted, with kinds of `kinds()`.
+    /// `lengths` becomes how many each module of the word gives. Throws what `walk` throws of interpretations.
+    ModuleString interpreted(const ModuleString& word, std::vector<std::uint32_t>& lengths,
+                             const Budget& budget = {}) const;
+    /// The kinds of the modules that it obeys, and what they tell it.
+    const ModuleKinds& kinds() const { return rules_.kinds; }
+    const TurtleCommand& command(ModuleKind kind) const { return commands_[kind]; }
+    const TurtleManner& manner() const { return manner_; }
+
     /// The symbol by which the word, or an interpretation that it may use, leaves the plane: & ^ \ / $,
     /// a solid, a surface that is not flat or a plot of three coordinates. Nothing for a figure in the plane.
     std::optional<Symbol> symbol_of_space(const ModuleString& word) const;

@@ -44,7 +44,7 @@ struct Options {
         seed;  // of a generator the text of a statement, else a range and a number
     std::optional<Range> seeds;
     std::optional<double> width, height, margin, line_width, font_size, frame_time;
-    std::optional<std::uint64_t> columns, loop, max_frames, facets;
+    std::optional<std::uint64_t> columns, loop, max_frames, facets, between;
     std::optional<std::vector<std::string>> colours;
     std::vector<PointLabel> labels;
     SpaceOptions space;
@@ -67,6 +67,15 @@ std::uint64_t frame_bound(const std::string& option, const std::string& text) {
     if (bound < 2 || bound > most_frames)
         throw Error(option + " must be from 2 to " + std::to_string(most_frames) + ", not " + text);
     return bound;
+}
+
+/// A reader: how many frames lead from a generation to the next.
+std::uint64_t between_count(const std::string& option, const std::string& text) {
+    constexpr std::uint64_t most = 1000;
+    const std::uint64_t count = natural(option, text);
+    if (count < 1 || count > most)
+        throw Error(option + " must be from 1 to " + std::to_string(most) + ", not " + text);
+    return count;
 }
 
 /// A reader: the sides of a tube.
@@ -129,6 +138,7 @@ PlateChoices choices_of(const Options& options, const Model& system) {
     if (options.seeds) found.seeds = {options.seeds->first, options.seeds->last};
     if (!options.tables.empty()) found.tables = table_sequence(system.tables, options.tables);
     found.environment = options.environment;
+    found.between = options.between.value_or(1);
     found.space = options.space;
     if (!options.background.empty()) found.background = options.background;
     if (options.colours) found.colours = *options.colours;
@@ -160,7 +170,8 @@ void check_motion(const Options& options, bool moves) {
         throw Error("--max-frames: only --progressive has it");
     if (!moves)
         refuse_given({{"--frame-time", options.frame_time.has_value()},
-                      {"--loop", options.loop.has_value()}},
+                      {"--loop", options.loop.has_value()},
+                      {"--between", options.between.has_value()}},
                      ": only animations have it: expected a file ending in .gif, .webp, .mp4 or "
                      ".webm");
     if (!moves && options.space.turns()) refuse_turning();
@@ -811,16 +822,21 @@ int draw_as(const Options& options) {
     const PictureFormat format = animation ? PictureFormat::png
                                  : text    ? PictureFormat::svg
                                            : picture_of(named);
-    if (options.plotter && (animation || format != PictureFormat::svg))
+    const bool is_music = text == FigureFormat::abc || text == FigureFormat::mid;
+    if (options.plotter && (animation || is_music || format != PictureFormat::svg))
         throw Error(
             std::string("--plotter: expected svg, tex, typ, csv, geojson, dxf or html, found ") +
-            (animation ? "an animation" : format_name(format)));
+            (animation  ? "an animation"
+             : is_music ? figure_format_name(*text)
+                        : format_name(format)));
     if (options.raster && (animation || text || format == PictureFormat::png || options.plotter))
         throw Error(
             "--raster: puts an image into svg, pdf, ps or eps; expected one of these without "
             "--plotter");
     AnimationTiming timing =
-        timing_of(options, options.space.turns() ? usual_turn_time : usual_time);
+        timing_of(options, options.space.turns()             ? usual_turn_time
+                           : options.between.value_or(1) > 1 ? usual_progress_time
+                                                             : usual_time);
     if (options.space.turns()) timing.last = timing.frame;  // it goes on where it began
     check_motion(options, animation.has_value());
     if (animation && options.panels) refuse_panels();
@@ -960,6 +976,7 @@ void add_draw(Verbs& verbs) {
                   {"algae draw koch -n 4 -o koch.svg",
                    "algae draw plant-f -n 0..5 --panels --captions -o plants.pdf",
                    "algae draw dragon -n 0..10 --frame-time 0.5 -o dragon.gif",
+                   "algae draw plant-f -n 0..4 --between 24 --common-scale -o growing.gif",
                    "algae draw hilbert-3d --camera 30,20,perspective -o hilbert.png",
                    "algae draw hilbert-3d --camera 0..360,20 -o hilbert.gif"},
                   draw);
@@ -971,7 +988,7 @@ void add_draw(Verbs& verbs) {
     verb.output("-o,--output", options.output, "FILE",
                 "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif, .webp, .mp4 or "
                 ".webm (both by ffmpeg), the figure as text: .tex (TikZ), .typ (Typst), .csv, "
-                ".geojson, .dxf or .html, the "
+                ".geojson, .dxf or .html, music: .abc or .mid, the "
                 "figure in space: .glb, .obj, .ply, .stl, .x3d, .wrl or .pov (for POV-Ray); - for "
                 "standard output");
     verb.option("--format", options.format,
@@ -1023,9 +1040,14 @@ void add_draw(Verbs& verbs) {
               "a bar below the figure with its length, in the units of the file");
     verb.option("--label", options.labels, point_label, "TEXT@x,y[,z]",
                 "a text at a point of the figure; may be given several times");
-    verb.option("--frame-time", options.frame_time, positive, "SECONDS",
-                "of an animation: seconds a frame (default 0.8; with --progressive 0.05, around a "
-                "figure 0.08)");
+    verb.option(
+        "--frame-time", options.frame_time, positive, "SECONDS",
+        "of an animation: seconds a frame (default 0.8; with --progressive and --between 0.05, "
+        "around a figure 0.08)");
+    verb.option(
+        "--between", options.between, between_count, "N",
+        "of an animation: grow from each generation to the next in so many frames, 1 to 1000; "
+        "what is new begins without length, and a stroke that becomes several as these in a line");
     verb.option("--loop", options.loop, natural, "N",
                 "of a gif or webp: how often it is shown; 0, the default, for ever");
     verb.flag(

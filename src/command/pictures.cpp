@@ -298,7 +298,7 @@ std::string named_format(const std::string& output, const std::string& format) {
     if (output == "-")
         throw Error(
             "-o -: say which format with --format: svg, pdf, png, ps, eps, gif, webp, mp4, webm, "
-            "tex, typ, csv, geojson, dxf, html, " +
+            "tex, typ, csv, geojson, dxf, html, abc, mid, " +
             mesh_format_names());
     return output;
 }
@@ -391,7 +391,41 @@ FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::ui
             plate.derived = std::make_shared<const DerivedModules>(derived);
         plate.figure = figure(system, std::move(derived), n, budget);
     };
+    /// The figures on the way from generation n to the next.
+    const auto grow = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
+        const FigureChoices chosen{seed, choices.tables, choices.seeds.has_value()};
+        const auto development =
+            std::make_shared<const ContinuousDevelopment>(painted, n, chosen, budget);
+        for (std::uint64_t k = 1; k < choices.between; ++k) {
+            budget.check();
+            const double share = static_cast<double>(k) / static_cast<double>(choices.between);
+            DerivedModules derived = development->at(share, budget);
+            const Model& walked = development->system();
+            FigurePlate& plate = figures.emplace_back();
+            plate.generation = n;
+            plate.seed = seed;
+            plate.development = development;
+            plate.name = "what is between generations " + std::to_string(n) + " and " +
+                         std::to_string(n + 1) + " of " + system.name;
+            if (!in_space) {
+                plate.figure = figure(walked, std::move(derived), n + 1, budget);
+                continue;
+            }
+            SpaceDerivation found =
+                scene(walked, derived.kinds, derived.word, n + 1, derived.seed, budget);
+            plate.figure = std::make_unique<SpaceView>(
+                std::move(found.scene), style_of(painted.drawing),
+                SceneFacts{found.end.position, found.facts.step, found.facts.rounded}, view_of,
+                budget);
+        }
+    };
+    if (choices.between > 1 && (many_seeds_ || generations.first == generations.second))
+        throw Error("--between: expected several generations of one word, such as -n 0..6, found " +
+                    (many_seeds_ ? "several seeds"
+                                 : "generation " + std::to_string(generations.first) + " alone"));
     for (std::uint64_t n = generations.first; n <= generations.second; ++n) {
+        if (choices.between > 1 && n > generations.first)
+            grow(n - 1, seeds ? std::optional(seeds->first) : std::nullopt);
         if (!seeds)
             add(n, std::nullopt);
         else
@@ -507,6 +541,7 @@ Json text_json(const FigureTextDrawn& drawn, FigureFormat format, bool plotter) 
     if (drawn.width > 0) out.set("width", drawn.width).set("height", drawn.height);
     if (format == FigureFormat::csv || format == FigureFormat::geojson)
         out.set("exact", drawn.exact);
+    if (drawn.notes > 0) out.set("notes", drawn.notes);
     if (plotter)
         out.set("repeated", drawn.repeated)
             .set("travel", drawn.travel)
@@ -569,7 +604,8 @@ PictureFormat picture_of(const std::string& named) {
     } catch (const Error& error) {
         throw Error(std::string(error.what()) +
                     "; an animation ends in .gif, .webp, .mp4 or .webm, a figure as text in .tex, "
-                    ".typ, .csv, .geojson, .dxf or .html, a figure in space in .glb, .obj, .ply, "
+                    ".typ, .csv, .geojson, .dxf or .html, music in .abc or .mid, a figure in space "
+                    "in .glb, .obj, .ply, "
                     ".stl, .x3d, .wrl or .pov, or say --format vrml1");
     }
 }

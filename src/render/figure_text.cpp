@@ -20,7 +20,7 @@ namespace algae {
 
 namespace {
 
-constexpr std::array format_names{"tex", "typ", "csv", "geojson", "dxf", "html"};
+constexpr std::array format_names{"tex", "typ", "csv", "geojson", "dxf", "html", "abc", "mid"};
 constexpr std::uint64_t many_strokes = 100'000;  // from here on svg has no letters
 constexpr std::uint32_t hues = 360;              // shades of a colour that runs along the word
 
@@ -488,6 +488,12 @@ FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target
             break;
         case FigureFormat::html:
             text = page_text(document);
+            break;
+        case FigureFormat::abc:
+            text = abc_text(document, drawn);
+            break;
+        case FigureFormat::mid:
+            text = midi_text(document, drawn);
             break;
         case FigureFormat::svg:
             break;  // written above

@@ -18,7 +18,7 @@
 #include "turtle/turtle.hpp"
 
 // render: figures, graphs and scenes as files. Pictures and pages by Cairo (svg, pdf, png, ps, eps), figures as text (tex, typ,
-// csv, geojson, dxf, html, svg), animations (gif, webp), pages that explain a turtle, plots, graphs placed by Graphviz, and meshes of
+// csv, geojson, dxf, html, svg, abc, mid), animations (gif, webp), pages that explain a turtle, plots, graphs placed by Graphviz, and meshes of
 // figures in space. No other room uses these formats and libraries.
 //
 // A file appears whole or not at all, and equal figures make equal files, byte for byte. Functions draw to a Target: the path of a
@@ -195,6 +195,8 @@ enum class FigureFormat {
     geojson,  // a feature for each path
     dxf,      // AutoCAD, release 12
     html,     // a page that shows them, and how they come to be
+    abc,      // a score: a way to the side is time, height is pitch
+    mid,      // the same to be heard, MIDI
     svg,      // with a group for each colour; `draw_picture` writes svg by Cairo
 };
 
@@ -243,16 +245,19 @@ struct FigureTextDrawn {
     std::uint64_t polygons = 0;
     std::uint64_t repeated = 0;  // strokes left out for a plotter, because they were there already
     double travel = 0,
-           travelled = 0;  // the way with the pen up: as written, and in the order of the word
-    bool exact = false;    // whether exact coordinates stand beside the decimals
+           travelled = 0;     // the way with the pen up: as written, and in the order of the word
+    bool exact = false;       // whether exact coordinates stand beside the decimals
+    std::uint64_t notes = 0;  // of music
     std::vector<std::size_t> blank;  // figures in which nothing is drawn
 };
 
 /// Writes figures as text, in the order of their words or, for a plotter, in the order of a short way. A file
 /// appears complete or not at all, and equal figures make equal files. tex, typ and svg are laid out as pictures
-/// are; html shows one figure at a time; csv, geojson and dxf have the units of the figures.
+/// are; html shows one figure at a time; csv, geojson and dxf have the units of the figures; abc and mid are music (Prusinkiewicz 1986),
+/// a voice for each figure: the usual stroke to the side is an eighth, and as far up a degree of C major.
 ///
-/// Throws what draw_panels throws, and BoundReached if the paths take more memory than the budget has.
+/// Throws what draw_panels throws, BoundReached if the paths take more memory than the budget has, and Error for music without a
+/// stroke to the side.
 FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target& target,
                              FigureFormat format, const FigureTextOptions& options,
                              const Budget& budget, Progress* progress = nullptr);

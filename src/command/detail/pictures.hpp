@@ -20,7 +20,7 @@ namespace algae::command {
 
 /// What --format takes, for types of options.
 inline constexpr const char* picture_formats = "svg|pdf|png|ps|eps|gif|webp|mp4|webm";
-inline constexpr const char* text_formats = "tex|typ|csv|geojson|dxf|html";
+inline constexpr const char* text_formats = "tex|typ|csv|geojson|dxf|html|abc|mid";
 inline constexpr const char* mesh_formats = "glb|obj|ply|stl|x3d|wrl|vrml1|pov";
 
 /// The format of a picture by the extension of this name. Throws Error, which lists the other formats.
@@ -120,6 +120,8 @@ struct FigurePlate {
     const Model* system = nullptr;  // that it shows, where the caller keeps it
     std::shared_ptr<const DerivedModules>
         derived;  // the word, where it has parameters and is short
+    std::shared_ptr<const ContinuousDevelopment>
+        development;  // of a figure between two generations
 };
 
 /// The choices of a picture of a system with choices; what is not set comes from the file.
@@ -130,6 +132,7 @@ struct PlateChoices {
     SpaceOptions space;                                            // for figures in space
     std::optional<std::string> background;                         // of the picture
     std::vector<std::string> colours;                              // instead of those of the file
+    std::uint64_t between = 1;  // figures from a generation to the next, that one counted
 };
 
 /// The words of a system that a picture shows: its generations, each for every seed.

@@ -14,7 +14,7 @@ from .budget import Budget, limits
 
 __all__ = ["Mesh", "Picture", "Tree"]
 
-FORMATS = ("svg", "pdf", "png", "ps", "eps", "gif", "webp", "mp4", "webm", "tex", "typ", "csv", "geojson", "dxf", "html",
+FORMATS = ("svg", "pdf", "png", "ps", "eps", "gif", "webp", "mp4", "webm", "tex", "typ", "csv", "geojson", "dxf", "html", "abc", "mid",
            "glb", "obj", "ply", "stl", "x3d", "wrl", "vrml1", "pov")
 
 WISHES = ("width", "height", "margin", "line_width", "font_size", "frame_time", "colours", "background", "caption",

@@ -136,6 +136,8 @@ std::string csv_text(const FigureDocument& document, FigureTextDrawn& drawn);
 std::string geojson_text(const FigureDocument& document, FigureTextDrawn& drawn);
 std::string dxf_text(const FigureDocument& document);
 std::string page_text(const FigureDocument& document);
+std::string abc_text(const FigureDocument& document, FigureTextDrawn& drawn);
+std::string midi_text(const FigureDocument& document, FigureTextDrawn& drawn);
 /// `draw`, if there is one, calls svg_runs for the only figure.
 void write_svg(const FigureDocument& document, Output& output,
                const std::function<void(const SvgStream&)>& draw = {});

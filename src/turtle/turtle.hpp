@@ -588,7 +588,7 @@ public:
 
     /// The word of commands at a share of the way, from 0 to 1, drawn as generation n + 1 of `system()` is. Throws what a walk throws.
     ///
-    /// Example: ContinuousDevelopment(read_lsystem("axiom F; F -> FF", ""), 0, {}, {}).at(0.5).word.values == std::vector<double>{0.75, 0.75}
+    /// Example: ContinuousDevelopment(read_lsystem("axiom F; F -> FF", ""), 0, {}, {}).at(0.5).word.values[1] == 0.75
     DerivedModules at(double share, const Budget& budget = {}) const;
 
     /// The settings of the system, with all that turtles understand and no rules to interpret it by.

@@ -340,6 +340,8 @@ int mark_class(const Options& options, const Exercise& exercise) {
             }
         }
     }
+    // The time is that of each answer; reading them has set it for the whole.
+    set_deadline(std::nullopt, "--timeout");
     const std::vector<Answered> answers = answer_apart(
         texts, [&](const std::string& text) { return mark_apart(options, exercise, share, text); },
         share, [](std::size_t) { return !stop.load(); });

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -165,4 +166,20 @@ TEST_CASE(
         run("lesson 1 --exercise 1 '" + (answers / "01-1.txt").string() + "' --table csv");
     CHECK(single.status == 2);
     CHECK(single.err.find("--table is for the answers of a class") != std::string::npos);
+}
+
+TEST_CASE("the time of an answer is not that of its class") {
+    const Scratch scratch;
+    const std::filesystem::path folder = scratch.path() / "class";
+    std::filesystem::create_directories(folder);
+    std::string long_rule = "axiom F\nF -> ";
+    for (int i = 0; i < 3000; ++i) long_rule += "F+";
+    constexpr int answers_that_hang = 10;
+    for (int i = 0; i < answers_that_hang; ++i)
+        std::ofstream(folder / ("x-hangs-" + std::to_string(i) + ".lsys"))
+            << long_rule << "\nangle 7.1\n";
+    std::ofstream(folder / "zz.lsys") << "axiom F\nF -> F\n";
+    const Run table = run("lesson 4 --exercise 1 '" + folder.string() + "' --timeout 1");
+    CHECK(table.status == 0);
+    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == answers_that_hang + 2);
 }

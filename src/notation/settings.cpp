@@ -114,6 +114,9 @@ void read_function(const char* here, const char* end, const std::string_view nam
         throw SyntaxError{name.data(),
                           "expected another name, " + quoted(name) +
                               (function_arity(name) ? " is a function already" : " is a system")};
+    constexpr std::size_t most = 1000;  // each call looks through them
+    if (reading.functions.all().size() == most)
+        throw SyntaxError{name.data(), "more than " + std::to_string(most) + " functions"};
     OwnFunctions::Function function;
     function.name = name;
     for (const std::string_view parameter : parameters) {

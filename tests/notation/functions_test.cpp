@@ -116,6 +116,9 @@ TEST_CASE("functions that stand for more than memory holds are refused") {
     for (int i = 0; i < 3000; ++i) text += "A_" + std::to_string(i) + "(x) -> A_0(f(x))\n";
     CHECK(findings(text).find("stands for more than 1,000,000 numbers, names and operators") !=
           std::string::npos);
+    text.clear();
+    for (int i = 0; i <= 1000; ++i) text += "let g_" + std::to_string(i) + "(x) = x\n";
+    CHECK(findings(text + "axiom F").find("x.lsys:1001:5: error: more than 1000 functions") == 0);
     // Constants whose values are not rational are put in with all that they are made of.
     text = "let c_0 = sqrt(2)\n";
     for (int i = 1; i < 60; ++i)

@@ -61,21 +61,23 @@ struct Options {
     }
 };
 
+std::uint64_t frames(const std::string& option, const std::string& text, std::uint64_t least,
+                     std::uint64_t most) {
+    const std::uint64_t count = natural(option, text);
+    if (count < least || count > most)
+        throw Error(option + " must be from " + std::to_string(least) + " to " +
+                    std::to_string(most) + ", not " + text);
+    return count;
+}
+
 /// A reader: how many frames --progressive may make.
 std::uint64_t frame_bound(const std::string& option, const std::string& text) {
-    const std::uint64_t bound = natural(option, text);
-    if (bound < 2 || bound > most_frames)
-        throw Error(option + " must be from 2 to " + std::to_string(most_frames) + ", not " + text);
-    return bound;
+    return frames(option, text, 2, most_frames);
 }
 
 /// A reader: how many frames lead from a generation to the next.
 std::uint64_t between_count(const std::string& option, const std::string& text) {
-    constexpr std::uint64_t most = 1000;
-    const std::uint64_t count = natural(option, text);
-    if (count < 1 || count > most)
-        throw Error(option + " must be from 1 to " + std::to_string(most) + ", not " + text);
-    return count;
+    return frames(option, text, 1, 1000);
 }
 
 /// A reader: the sides of a tube.

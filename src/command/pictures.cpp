@@ -361,10 +361,7 @@ FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::ui
         }
         return;
     }
-    const auto view = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
-        SpaceDerivation found =
-            scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()},
-                  external_environment(choices.environment, system));
+    const auto seen = [&](SpaceDerivation found) {
         return std::make_unique<SpaceView>(
             std::move(found.scene), style_of(painted.drawing),
             SceneFacts{found.end.position, found.facts.step, found.facts.rounded}, view_of, budget);
@@ -376,7 +373,9 @@ FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::ui
         plate.name = "generation " + std::to_string(n) + " of " + system.name;
         if (many_seeds_) plate.name += ", seed " + std::to_string(*seed);
         if (in_space) {
-            plate.figure = view(n, seed);
+            plate.figure =
+                seen(scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()},
+                           external_environment(choices.environment, system)));
             return;
         }
         const FigureChoices chosen{seed, choices.tables, choices.seeds.has_value()};
@@ -407,16 +406,11 @@ FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::ui
             plate.development = development;
             plate.name = "what is between generations " + std::to_string(n) + " and " +
                          std::to_string(n + 1) + " of " + system.name;
-            if (!in_space) {
+            if (in_space)
+                plate.figure =
+                    seen(scene(walked, derived.kinds, derived.word, n + 1, derived.seed, budget));
+            else
                 plate.figure = figure(walked, std::move(derived), n + 1, budget);
-                continue;
-            }
-            SpaceDerivation found =
-                scene(walked, derived.kinds, derived.word, n + 1, derived.seed, budget);
-            plate.figure = std::make_unique<SpaceView>(
-                std::move(found.scene), style_of(painted.drawing),
-                SceneFacts{found.end.position, found.facts.step, found.facts.rounded}, view_of,
-                budget);
         }
     };
     if (choices.between > 1 && (many_seeds_ || generations.first == generations.second))

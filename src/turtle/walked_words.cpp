@@ -250,7 +250,8 @@ struct ContinuousDevelopment::Way {
         double size = 0;      // likewise of what it leaves where it stands
         bool turns = false;   // its turns outside brackets begin at 0
         bool joined = false;  // it is of the same module of the earlier word as the part before it
-        std::optional<std::size_t> older;  // where the parameters of its earlier self are
+        std::size_t values = 0;            // where its parameters are
+        std::optional<std::size_t> older;  // where those of its earlier self are
     };
 
     Way(const Model& system, const ModuleKinds& kinds, std::uint64_t next, std::uint64_t seed)
@@ -389,6 +390,7 @@ ContinuousDevelopment::ContinuousDevelopment(const Model& system, std::uint64_t 
         for (std::size_t i = first; i < end; ++i) {
             Way::Part& part = way->parts[i];
             part.joined = i > first;
+            part.values = new_offsets[i];
             if (goes_on && i == own) {
                 part.begin = part.size = shrunk;
                 if (!stays) part.older = old_offsets[m];
@@ -405,12 +407,11 @@ ContinuousDevelopment::ContinuousDevelopment(const Model& system, std::uint64_t 
 DerivedModules ContinuousDevelopment::at(double share, const Budget& budget) const {
     const Way& way = *way_;
     ModuleString word = way.later;
-    const auto offsets = offsets_of(way.kinds, word);
     for (std::size_t i = 0; i < way.parts.size(); ++i) {
         const auto& older = way.parts[i].older;
         if (!older) continue;
         for (std::size_t k = 0; k < way.kinds.arity(word.kinds[i]); ++k) {
-            double& value = word.values[offsets[i] + k];
+            double& value = word.values[way.parts[i].values + k];
             const double old = way.earlier.values[*older + k];
             if (WordValues::is_held(value) || WordValues::is_held(old)) continue;
             if (value != old) value = (1 - share) * old + share * value;

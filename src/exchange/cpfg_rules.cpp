@@ -225,10 +225,22 @@ CpfgRule CpfgReader::head_of(Placed head) const {
                    "looks at the string being made, which has no meaning in the notation");
     if (const std::size_t at = outside(head.text, '<'); at != std::string::npos) {
         found.left = context(head.part(0, at));
+        for (const CpfgModule& module : found.left)
+            if (module.symbol == "[" || module.symbol == "]")
+                refuse(
+                    module.place, "a bracket in a left context",
+                    "has no meaning in the notation, where a left context is a path to the root");
         head = head.part(at + 1, head.text.size());
     }
     if (const std::size_t at = outside(head.text, '>'); at != std::string::npos) {
         found.right = context(head.part(at + 1, head.text.size()));
+        std::size_t open = 0;
+        for (const CpfgModule& module : found.right) {
+            open += module.symbol == "[";
+            if (module.symbol == "]" && open-- == 0)
+                fail(module.place,
+                     "expected a right context that is a tree, found a ']' that closes nothing");
+        }
         head = head.part(0, at);
     }
     const std::vector<CpfgModule> strict = modules(head);
@@ -245,10 +257,10 @@ std::vector<CpfgModule> CpfgReader::context(const Placed& text) const {
     std::vector<CpfgModule> found = modules(said), kept;
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (found[i].symbol == "=") {
-            if (i + 1 == found.size() || found[i + 1].symbol != "]")
+            if (kept.empty() || i + 1 == found.size() || found[i + 1].symbol != "]")
                 refuse(found[i].place, "= in a context",
                        "skips what follows in a branch, and has a meaning in the notation only "
-                       "before its ]");
+                       "between a module and its ]");
             kept.back().open = true;
             continue;
         }

@@ -113,7 +113,7 @@ private:
 
     std::string symbol(Symbol letter) const {
         const std::string& said = name(letter);
-        if (python_ && is_module_name(said)) return said;
+        if (python_ && is_module_name(said)) return module_name(said);
         if (said.size() != 1 || static_cast<unsigned char>(said[0]) >= 0x80)
             refuse("the letter " + said + ": symbols are " + (python_ ? "names of ASCII or " : "") +
                    "single characters of ASCII");
@@ -132,10 +132,18 @@ private:
                    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
                });
     }
+    /// Names such as X_36 stand for symbols when a file is read, which may not declare them: SX36.
+    std::string module_name(const std::string& said) const {
+        if (!said.starts_with("X_") || said.find_first_not_of("0123456789", 2) != std::string::npos)
+            return said;
+        std::string own = "SX" + said.substr(2);
+        while (system_.alphabet.find(own)) own += "_";
+        return own;
+    }
     std::string declarations() const {
         std::vector<std::string> names;
         for (Symbol letter = 0; letter < system_.alphabet.size(); ++letter)
-            if (python_ && is_module_name(name(letter))) names.push_back(name(letter));
+            if (python_ && is_module_name(name(letter))) names.push_back(symbol(letter));
         return names.empty() ? "" : "module " + joined(names, ", ") + "\n";
     }
 

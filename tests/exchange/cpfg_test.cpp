@@ -536,6 +536,17 @@ TEST_CASE("the declarative part of L-Py is read, and programs are refused") {
     CHECK(words.drawing.generations->second == 1);
 }
 
+TEST_CASE(
+    "symbols of L-Py that the notation has no letters for are modules when they are written") {
+    const Model system =
+        read_lpy("module SX36\nAxiom: A $ SX36\nproduction:\nA --> A$$\nendlsystem\n", "x.lpy");
+    const std::string printed = print_lpy(system);
+    CHECK(holds(printed, "Axiom: A SX36_ SX36\n"));
+    const Model again = read_lpy(printed, "y.lpy");
+    CHECK(print_lpy(again) == printed);
+    CHECK(again.rules[0].successor.letters.size() == 3);
+}
+
 TEST_CASE("systems written for cpfg and L-Py read back with the same words and the same figures") {
     std::size_t compared = 0, drawn = 0;
     CHECK(rc::check([&] {

@@ -409,7 +409,7 @@ DimensionReport measure(const Model& system, const Options& options, const Budge
 /// Whether finer scales see more than coarser ones, as they do where points have noise.
 bool fills_finely(const PointSet& points, const BoxFit& fit) {
     constexpr double more = 0.08;
-    if (!fit.estimate || points.detail > 0 || points.columns < 2) return false;
+    if (!fit.estimate || points.columns < 2) return false;
     const auto begin = fit.slopes.begin() + static_cast<std::ptrdiff_t>(fit.first);
     const auto end = fit.slopes.begin() + static_cast<std::ptrdiff_t>(fit.last);
     return *std::max_element(begin, end) > *begin + more;
@@ -422,6 +422,10 @@ DimensionReport measure(const PointSet& points, const std::string& name, const O
                               options.places(), budget);
     found.what = name + ": " + std::to_string(found.counts.parts) +
                  (points.part == "pixel" ? " pixels of ink" : " different points");
+    if (points.part == "pixel") {
+        found.fit = fit_picture(picture_counts(filled_cells(points, budget), budget), found.counts);
+        return found;
+    }
     found.fit = fit_dimension(found.counts);
     if (!fills_finely(points, found.fit)) return found;
     const Scaling pairs = correlation(points, {}, budget);

@@ -814,6 +814,7 @@ struct BoxFit {
 /// measures how often it holds the true value over random curves. O(scales * offsets).
 ///
 /// With fewer than four scales to use, there is no estimate, and `because` says what would help.
+/// Pictures have a fit of their own, `fit_picture`.
 BoxFit fit_dimension(const BoxCounts& counts);
 
 /// How many cells of square grids a recurrent set K touches, itself and not some generation of it.
@@ -974,6 +975,28 @@ struct CellRectangle {
 ///
 /// Throws Error if there are no cells or none is filled, BoundReached, Interrupted.
 Scaling lacunarity(const CellRectangle& cells, const Budget& budget);
+
+/// How many boxes the ink of a picture touches: means over all places of the grid.
+struct PictureCounts {
+    std::size_t across = 0;  // the longer side of the ink, in pixels
+    std::vector<std::size_t>
+        sides;  // of boxes, in pixels, two an octave: 1, 2, 3, 4, 6, 8, 11 ... up to `across`
+    std::vector<double> boxes;  // for each side
+};
+
+/// Counts the boxes for all places of the grid at once, as the pixels of the ink dilated by a square (`picture.cpp`). The
+/// rectangle is that around the ink (`filled_cells`). O(pixels * sides) time; 4 bytes a pixel of ink.
+///
+/// Throws Error if no cell is filled, BoundReached, Interrupted.
+///
+/// Example: picture_counts({1, 1, {true}, 1}, Budget()).boxes == std::vector<double>{1}
+PictureCounts picture_counts(const CellRectangle& ink, const Budget& budget);
+
+/// Fits the dimension of what a picture shows, without what the outer shape adds to coarse boxes and pixels take from fine
+/// ones (`picture.cpp`). `shown` are the counts of the plot, to whose scales the fit's slopes and line belong. Of pictures of 224 sets of known
+/// dimension, 1,024 pixels wide, half of the values are within 0.015 and 97 % of the intervals hold the dimension. A
+/// picture whose ink is less than 96 pixels across has no estimate, and `because` says so. O(sides).
+BoxFit fit_picture(const PictureCounts& counts, const BoxCounts& shown);
 
 /// The cells that a figure touches, in the square around it, with at most `most` cells a side and
 /// none shorter than a segment. The figure lies in its middle. Throws Error if nothing is drawn.

@@ -126,16 +126,7 @@ std::string why_not(const BoxCounts& counts, std::size_t usable) {
     text += (usable == 1 ? "1 scale lies" : std::to_string(usable) + " scales lie");
     text += " between an eighth of the whole and " + finest_allowed(counts) +
             ", expected at least " + std::to_string(ScaleRange::fewest);
-    if (figure) return text + "; draw a higher one, or more scales";
-    if (!(counts.detail > 0)) return text;
-    // Each scale halves the one before.
-    constexpr double across = ScaleRange::parts_of_whole * ScaleRange::details *
-                              static_cast<double>(1u << (ScaleRange::fewest - 1));
-    const double whole = counts.scales.coarsest / counts.detail;
-    if (whole < across)
-        text += fmt::format("; what is measured must be {:.0f} {}s across, and is {:.0f}", across,
-                            counts.part, whole);
-    return text;
+    return figure ? text + "; draw a higher one, or more scales" : text;
 }
 
 std::string why(const BoxCounts& counts, const BoxFit& fit) {

@@ -225,11 +225,7 @@ CpfgRule CpfgReader::head_of(Placed head) const {
                    "looks at the string being made, which has no meaning in the notation");
     if (const std::size_t at = outside(head.text, '<'); at != std::string::npos) {
         found.left = context(head.part(0, at));
-        for (const CpfgModule& module : found.left)
-            if (module.symbol == "[" || module.symbol == "]")
-                refuse(
-                    module.place, "a bracket in a left context",
-                    "has no meaning in the notation, where a left context is a path to the root");
+        refuse_brackets(found.left, "a left context");
         head = head.part(at + 1, head.text.size());
     }
     if (const std::size_t at = outside(head.text, '>'); at != std::string::npos) {
@@ -247,8 +243,19 @@ CpfgRule CpfgReader::head_of(Placed head) const {
     if (strict.empty()) fail(found.place, "expected a module before '-->'");
     found.predecessor = strict.front();
     for (const CpfgModule& module : strict) check_formals(module);
-    if (strict.size() > 1) found.several = strict;
+    if (strict.size() > 1) {
+        refuse_brackets(strict, "a predecessor of several modules");
+        found.several = strict;
+    }
     return found;
+}
+
+void CpfgReader::refuse_brackets(const std::vector<CpfgModule>& modules, const char* where) const {
+    for (const CpfgModule& module : modules)
+        if (module.symbol == "[" || module.symbol == "]")
+            refuse(module.place, std::string("a bracket in ") + where,
+                   "has no meaning in the notation, where contexts and predecessors lie on a path "
+                   "to the root");
 }
 
 std::vector<CpfgModule> CpfgReader::context(const Placed& text) const {

@@ -111,8 +111,9 @@ TEST_CASE(
     CHECK(run("draw koch -n 3 --width 64 -o '" + picture + "'").status == 0);
     const Run small = run("dimension '" + picture + "'");
     CHECK(small.status == 3);
-    CHECK(small.out.find("; what is measured must be 256 pixels across, and is ") !=
-          std::string::npos);
+    CHECK(
+        small.out.find("the picture is too small: expected ink that is 96 pixels across, found ") !=
+        std::string::npos);
 }
 
 TEST_CASE(

@@ -139,6 +139,8 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
         {file("A --> @S\n"), "the command @S has no meaning"},
         {file("A --> F(x)_(2)\n"), "the symbol _ goes by a tropism"},
         {file("](l) < A --> B\n"), "x.l:4:1: error: a bracket in a left context has no meaning"},
+        {file("A] --> B\n"),
+         "x.l:4:2: error: a bracket in a predecessor of several modules has no meaning"},
         {file("A > B](l)C --> B\n"), "x.l:4:6: error: expected a right context that is a tree"},
         {file("A > =]B --> B\n"), "x.l:4:5: error: = in a context skips what follows in a branch"},
         {file("A --> B\n#endif\n"), "x.l:5:1: error: #endif without #if"},

@@ -221,6 +221,7 @@ protected:
 private:
     std::vector<CpfgModule> context(const Placed& text) const;
     void check_formals(const CpfgModule& module) const;
+    void refuse_brackets(const std::vector<CpfgModule>& modules, const char* where) const;
     std::size_t plus_name(const Placed& text, std::size_t at, CpfgModule& module) const;
     std::vector<CpfgModule> single_modules(const Placed& text) const;
 };

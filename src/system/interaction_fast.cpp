@@ -415,9 +415,9 @@ void CellPlanes::write(Word& word) const {
 
 namespace {
 
-// Compiled for several machines, of which the best is taken when the program starts.
+// Compiled for several machines, of which the best is taken when the program starts: before sanitizers are there.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define ALGAE_WIDEST_VECTORS [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #else
 #define ALGAE_WIDEST_VECTORS

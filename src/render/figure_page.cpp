@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 #include "render/detail/document.hpp"
 #include "render/detail/figure_text.hpp"
@@ -146,7 +147,7 @@ public:
         }
         if (stream_ && !is_streaming_) begin_streaming();
         make_room(text.rest.size());
-        text_->append(text.rest);
+        settled_text() += text.rest;
         here_ = {start.x + text.last.x, start.y + text.last.y};
         pen_ = {from.x + block.strokes.back().to.x, from.y + block.strokes.back().to.y};
         strokes += text.strokes;
@@ -160,7 +161,7 @@ public:
             step(kind, unit_of(corner));
             kind = 'l';
         }
-        *text_ += 'z';
+        settled_text() += 'z';
         changed_ = true;
         down_ = false;
         if (++polygons % 4096 == 0) check();
@@ -183,7 +184,12 @@ public:
     bool wants_position() const override { return palette_.runs_along(); }
     double line_width() const override { return line_width_; }
 
-    std::vector<SvgRun> runs;
+    /// What was drawn, in the end.
+    std::vector<SvgRun> finish() {
+        if (text_) settled_text();
+        return std::move(runs_);
+    }
+
     std::uint64_t strokes = 0, polygons = 0, paths = 0;
 
 private:
@@ -205,10 +211,14 @@ private:
         std::uint64_t strokes = 0, lifts = 0;  // lifts: behind the first
     };
 
+    /// As std::llround, without a call.
+    static long long nearest(double value) {
+        return static_cast<long long>(value + std::copysign(0.5, value));
+    }
     Unit unit_of(Point point) const {
         const Point there = frame_(point);
         must_be_finite(there.x + there.y);
-        return {std::llround(there.x), std::llround(there.y)};
+        return {nearest(there.x), nearest(there.y)};
     }
     const KeptText& kept(const StrokeBlock& block) {
         if (block.number >= kept_.size()) kept_.resize(block.number + 1);
@@ -246,21 +256,23 @@ private:
         ++paths;
     }
     void begin_run(bool filled) {
+        if (text_) settled_text();
         changed_ = false;
         const std::uint32_t shade =
             painted_ ? Palette::no_shade : palette_.shade(index_, fraction_);
         const std::pair looks{shade, now_.width};
-        if (!filled && looks == looks_ && !runs.empty() && !runs.back().filled) return;
+        if (!filled && looks == looks_ && !runs_.empty() && !runs_.back().filled) return;
         looks_ = painted_ || filled ? std::pair{Palette::no_shade, -1.0} : looks;
         now_.colour = painted_ ? *painted_ : palette_.colour(shade);
         auto found = std::ranges::find(styles_.styles, now_);
         if (found == styles_.styles.end())
             found = styles_.styles.insert(styles_.styles.end(), now_);
         const auto style = static_cast<std::uint32_t>(found - styles_.styles.begin());
-        if (!runs.empty() && runs.back().style == style && runs.back().filled == filled && !filled)
+        if (!runs_.empty() && runs_.back().style == style && runs_.back().filled == filled &&
+            !filled)
             return;
-        runs.push_back({style, filled, {}});
-        text_ = &runs.back().steps.emplace_back();
+        runs_.push_back({style, filled, {}});
+        text_ = &runs_.back().steps.emplace_back();
         down_ = false;
         here_ = {};
     }
@@ -270,11 +282,12 @@ private:
         make_room(2 * 21);
         constexpr long long most = 1 << 30;
         if (kind == 'm' || std::abs(across) > most || std::abs(down) > most) {
-            put_step(*text_, kind, across, down);
+            put_step(settled_text(), kind, across, down);
             return;
         }
-        const std::size_t place =
-            static_cast<std::size_t>(across * 31 + down) & (known_.size() - 1);
+        const std::size_t place = (static_cast<std::uint32_t>(across) * 0x9e3779b1u +
+                                   static_cast<std::uint32_t>(down) * 0x85ebca77u) >>
+                                  (32 - known_bits);
         Known& known = known_[place];
         if (known.size == 0 || known.x != across || known.y != down) {
             std::string made;
@@ -283,30 +296,40 @@ private:
             known.y = static_cast<std::int32_t>(down);
             if (made.size() > known.text.size()) {
                 known.size = 0;
-                *text_ += made;
+                settled_text() += made;
                 return;
             }
             known.size = static_cast<std::uint8_t>(made.size());
             std::ranges::copy(made, known.text.begin());
         }
-        text_->append(known.text.data(), known.size);
+        if (fresh_size_ + known.text.size() > fresh_.size()) settled_text();
+        // All bytes, as their number is known then.
+        std::memcpy(fresh_.data() + fresh_size_, known.text.data(), known.text.size());
+        fresh_size_ += known.size;
+    }
+    /// The text, with all steps in it.
+    std::string& settled_text() {
+        if (fresh_size_ > 0) text_->append(fresh_.data(), fresh_size_);
+        fresh_size_ = 0;
+        return *text_;
     }
     /// Long texts are kept in pieces, so that they are not copied as they grow.
     void make_room(std::size_t bytes) {
         if (text_->size() + bytes <= piece_size || text_->size() < piece_size / 2) return;
+        settled_text();
         if (is_streaming_) {
             stream_->output.write(text_->data(), text_->size());
             text_->clear();
             return;
         }
-        text_ = &runs.back().steps.emplace_back();
+        text_ = &runs_.back().steps.emplace_back();
         text_->reserve(piece_size);
     }
     /// A figure that sends a block keeps its style: what stands before its strokes is known.
     void begin_streaming() {
-        if (runs.size() != 1) return;
+        if (runs_.size() != 1) return;
         is_streaming_ = true;
-        stream_->begin(runs.front().style);
+        stream_->begin(runs_.front().style);
         text_->reserve(piece_size);
     }
     static void put_step(std::string& out, char kind, long long x, long long y) {
@@ -328,7 +351,7 @@ private:
     void check() const {
         budget_.check();
         std::uint64_t bytes = 0;
-        for (const SvgRun& run : runs) {
+        for (const SvgRun& run : runs_) {
             bytes += sizeof(SvgRun);
             for (const std::string& piece : run.steps) bytes += piece.capacity();
         }
@@ -343,7 +366,10 @@ private:
     double line_width_, scale_, width_;
     FigurePaths& styles_;
     PathStyle now_;
+    std::vector<SvgRun> runs_;
     std::string* text_ = nullptr;
+    std::array<char, 4096> fresh_{};  // steps that come behind the text
+    std::size_t fresh_size_ = 0;
     Point pen_{};
     bool down_ = false, changed_ = true;
     Unit here_;
@@ -351,7 +377,8 @@ private:
     std::uint32_t index_ = 0;
     std::optional<Colour> painted_;
     std::pair<std::uint32_t, double> looks_{Palette::no_shade, -1};  // of the run, if listed
-    std::array<Known, 1024> known_{};
+    static constexpr int known_bits = 11;
+    std::array<Known, 1 << known_bits> known_{};
     std::vector<KeptText> kept_;  // by the numbers of blocks
     std::uint64_t blocks_ = 0;
 };
@@ -381,7 +408,7 @@ void svg_runs(PlacedFigure& placed, const std::vector<std::string>& colours, dou
     drawn.paths += canvas.paths;
     placed.paths.strokes = canvas.strokes;
     placed.paths.polygons = canvas.polygons;
-    placed.runs = std::move(canvas.runs);
+    placed.runs = canvas.finish();
 }
 
 namespace {

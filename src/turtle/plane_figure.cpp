@@ -388,7 +388,10 @@ double letters_for_drawing(const D0L& rules, std::uint64_t steps, const std::str
     return sum;
 }
 
-constexpr double walked_letters = 3e7;  // words up to this long are measured letter by letter
+// Words longer than the first are measured by their parts, as far as doubles tell them apart, and those longer than the second
+// to a share of the reach that no picture shows.
+constexpr double walked_letters = 3e5, finely_measured_letters = 3e7;
+constexpr double fine_share = 1e-12, coarse_share = 1e-5;
 
 bool draws(Command command) {
     return command == Command::draw || command == Command::draw_unmarked;
@@ -628,10 +631,11 @@ private:
     void survey_pieces(Surveyor& surveyor, const std::vector<Hom<Pieces>>& rows,
                        const Budget& budget) const {
         // A part that cannot stick out of the box known so far is not looked into, and neither is one
-        // that sticks out so little that it cannot be told from the right one: a box that is wrong by
+        // that sticks out so little that it cannot be told from the right one: of long words, a box that is wrong by
         // less than a thousandth of the line width.
         Pen<FloatingPosition> pen(surveyor, compass_, pen_);
-        const double tolerance = std::abs(pen_.unit) * rows.back()(rules_.axiom).reach() * 1e-5;
+        const double share = pen_.letters > finely_measured_letters ? coarse_share : fine_share;
+        const double tolerance = std::abs(pen_.unit) * rows.back()(rules_.axiom).reach() * share;
         walk_parts(pen, rows, budget, [&](Symbol, std::uint64_t, const Pieces::value_type& part) {
             const double size = pen_.unit * pen.size();
             const auto centre = size * compass_.direction(pen.heading()) * part.centre;

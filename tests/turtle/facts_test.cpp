@@ -1,8 +1,13 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <rapidcheck.h>
+
+#include <complex>
+#include <numbers>
 
 #include "exact/exact.hpp"
 #include "model/model.hpp"
+#include "notation/notation.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
 
@@ -112,6 +117,56 @@ TEST_CASE("segments of cut branches are not counted") {
     CHECK(segments("%F") == 0);
     CHECK(segments("F[{F%F}F]F") == 3);  // the polygon ends with its branch
     CHECK(segments("{F%F}") == 1);
+}
+
+TEST_CASE("the box of a long word without a lattice is that of walking") {
+    // Words longer than 3 * 10^5 letters are measured by their parts.
+    const char* const successors[] = {"F[+F]F[-F]F", "FF-[-F+F+F]+[+F-F-F]", "F+F--F+F",
+                                      "[+F][-F]FF", "F-F+F[+F]"};
+    std::size_t compared = 0;
+    for (const char* const successor : successors)
+        for (const double angle : {25.7, 33.3, 101.9, 7.13}) {
+            std::string word = "F";
+            unsigned n = 0;
+            for (; word.size() < 400'000; ++n) {
+                std::string next;
+                for (const char letter : word)
+                    next += letter == 'F' ? successor : std::string(1, letter);
+                word = std::move(next);
+            }
+            std::complex<long double> at = 0;
+            long double heading = 0, low = 0, high = 0, lowest = 0, highest = 0;
+            std::vector<std::pair<std::complex<long double>, long double>> kept;
+            for (const char letter : word) {
+                const auto turn = std::numbers::pi_v<long double> / 180 * angle;
+                if (letter == '+') heading += turn;
+                if (letter == '-') heading -= turn;
+                if (letter == '[') kept.emplace_back(at, heading);
+                if (letter == ']') {
+                    std::tie(at, heading) = kept.back();
+                    kept.pop_back();
+                }
+                if (letter != 'F') continue;
+                at += std::polar(1.0L, heading);
+                low = std::min(low, at.real()), high = std::max(high, at.real());
+                lowest = std::min(lowest, at.imag()), highest = std::max(highest, at.imag());
+            }
+            const std::string text = "axiom F\nF -> " + std::string(successor) + "\nangle " +
+                                     fmt::format("{}", angle) + "\n";
+            const auto drawn = algae::figure(read_lsystem(text, "long"), n, Budget());
+            const Box& box = drawn->box();
+            const long double size = std::max(high - low, highest - lowest);
+            for (const auto& [found, expected] :
+                 {std::pair<long double, long double>{box.low.x, low},
+                  {box.high.x, high},
+                  {box.low.y, lowest},
+                  {box.high.y, highest}}) {
+                CAPTURE(text);
+                CHECK(std::abs(found - expected) < 1e-10L * size);
+                ++compared;
+            }
+        }
+    CHECK(compared == 80);
 }
 
 TEST_CASE("facts of far generations are exact and quick") {

@@ -117,13 +117,13 @@ private:
 }  // namespace
 
 TEST_CASE("changed texts of the repository break nothing") {
-    // FUZZ_SECONDS: so long for each target, with other inputs each time; FUZZ_PART=0 and 1: every second target, for two processes;
-    // FUZZ_TARGET: only this one; FUZZ_START: where the random numbers begin.
-    constexpr std::size_t few = 60;
-    const double seconds = number_of("FUZZ_SECONDS", 0);
+    // FUZZ_SECONDS: so long for each target, with other inputs each time; FUZZ_COUNT: so many inputs instead; FUZZ_PART=0 and 1: every
+    // second target, for two processes; FUZZ_TARGET: only this one; FUZZ_START: where the random numbers begin.
+    const double seconds = number_of("FUZZ_SECONDS", 0), asked = number_of("FUZZ_COUNT", 0);
+    const auto few = static_cast<std::size_t>(asked > 0 ? asked : 60);
     const auto part = static_cast<std::size_t>(number_of("FUZZ_PART", 2));
     const auto start = static_cast<std::uint64_t>(
-        number_of("FUZZ_START", seconds > 0 ? std::random_device()() : 1));
+        number_of("FUZZ_START", seconds > 0 || asked > 0 ? std::random_device()() : 1));
     const char* const only = std::getenv("FUZZ_TARGET");
     std::size_t all = 0, number = 0;
     LastInput last;
@@ -152,12 +152,12 @@ TEST_CASE("changed texts of the repository break nothing") {
             }
         }
         all += count;
-        if (seconds > 0)
+        if (seconds > 0 || asked > 0)
             std::printf("%-16s %10zu %8.0f/s\n", target.name.c_str(), count,
                         static_cast<double>(count) / time());
         std::fflush(stdout);
     }
-    if (seconds > 0) std::printf("%zu executions\n", all);
+    if (seconds > 0 || asked > 0) std::printf("%zu executions\n", all);
     CHECK(all >= few * (only ? 1 : fuzz::targets().size() / 3));
 }
 

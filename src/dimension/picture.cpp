@@ -7,7 +7,7 @@
 #include "dimension/detail/measures.hpp"
 #include "watch/watch.hpp"
 
-// The dimension of what a picture shows, from boxes of two pixels to half of the whole.
+// The dimension of what a picture shows, from boxes of one pixel to half of the whole.
 //
 // A grid that lies badly counts too many boxes, and the mean over some places of it wavers. Here it is the mean over all of
 // them: a box of e pixels touches the ink where its corner lies in the ink dilated by e - 1 pixels to the

@@ -262,7 +262,7 @@ BoxFit fit_picture(const PictureCounts& counts, const BoxCounts& shown) {
                    std::pow(whole / across, correction);
     fit.rate = std::exp(step * (law.dimension - correction));
     fit.because = fmt::format(
-        "boxes up to {:.3g} pixels in all places of the grid, less what hangs over the outer shape "
+        "boxes up to {:.0f} pixels in all places of the grid, less what hangs over the outer shape "
         "and what single pixels hide",
         most);
     return fit;

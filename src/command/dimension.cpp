@@ -420,9 +420,10 @@ DimensionReport measure(const PointSet& points, const std::string& name, const O
     DimensionReport found;
     found.counts = box_counts(points, scales_down_to(points.detail, longest_side(points)),
                               options.places(), budget);
+    const bool is_picture = points.part == "pixel";
     found.what = name + ": " + std::to_string(found.counts.parts) +
-                 (points.part == "pixel" ? " pixels of ink" : " different points");
-    if (points.part == "pixel") {
+                 (is_picture ? " pixels of ink" : " different points");
+    if (is_picture) {
         found.fit = fit_picture(picture_counts(filled_cells(points, budget), budget), found.counts);
         return found;
     }

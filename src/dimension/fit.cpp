@@ -147,6 +147,14 @@ bool still_rise(const std::vector<double>& slopes) {
            std::adjacent_find(slopes.begin(), slopes.end(), std::greater_equal<>()) == slopes.end();
 }
 
+std::vector<double> local_slopes(const BoxCounts& counts) {
+    std::vector<double> slopes;
+    const double step = std::log(counts.scales.ratio);
+    for (std::size_t scale = 0; scale + 1 < counts.counts.size(); ++scale)
+        slopes.push_back(std::log(counts.mean(scale + 1) / counts.mean(scale)) / step);
+    return slopes;
+}
+
 Estimate estimate_from(const std::vector<double>& slopes, double slope, const Widening& widening,
                        double most) {
     const auto [least, greatest] = std::minmax_element(slopes.begin(), slopes.end());
@@ -214,9 +222,7 @@ BoxFit fit_dimension(const BoxCounts& counts) {
     if (counts.counts.empty() || counts.counts.front().empty())
         throw Error("expected counts of at least one scale, found none");
     BoxFit fit;
-    const double step = std::log(counts.scales.ratio);
-    for (std::size_t scale = 0; scale + 1 < counts.counts.size(); ++scale)
-        fit.slopes.push_back(std::log(counts.mean(scale + 1) / counts.mean(scale)) / step);
+    fit.slopes = local_slopes(counts);
     const std::size_t usable = choose_scales(fit, counts.counts.size(), [&](std::size_t scale) {
         return is_fine_enough(counts, scale) && is_coarse_enough(counts, scale);
     });

@@ -481,9 +481,7 @@ BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting, d
                  const LowerTerms& lower) {
     const BoxCounts& counts = limit.boxes;
     BoxFit fit;
-    for (std::size_t j = 0; j + 1 < counts.counts.size(); ++j)
-        fit.slopes.push_back(std::log(counts.mean(j + 1) / counts.mean(j)) /
-                             std::log(counts.scales.ratio));
+    fit.slopes = local_slopes(counts);
     if (counts.counts.size() < 4) {
         fit.because =
             "too few scales: " + std::to_string(counts.counts.size()) + ", expected at least 4";

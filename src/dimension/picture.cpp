@@ -51,8 +51,7 @@ struct Rows {
     std::vector<std::size_t> begin;  // of each row, and the end of the last one
 };
 
-Rows rows_of(const CellRectangle& ink, const Budget& budget) {
-    const auto filled = static_cast<std::size_t>(std::ranges::count(ink.filled, true));
+Rows rows_of(const CellRectangle& ink, std::size_t filled, const Budget& budget) {
     budget.check_memory(filled * sizeof(std::uint32_t) + ink.rows * sizeof(std::size_t),
                         "the ink of a picture");
     Rows rows;
@@ -210,10 +209,11 @@ Estimate estimate_of(const PictureCounts& counts) {
 }  // namespace
 
 PictureCounts picture_counts(const CellRectangle& ink, const Budget& budget) {
-    if (ink.filled.size() != ink.columns * ink.rows || std::ranges::count(ink.filled, true) == 0)
+    const auto filled = static_cast<std::size_t>(std::ranges::count(ink.filled, true));
+    if (ink.filled.size() != ink.columns * ink.rows || filled == 0)
         throw Error("expected a rectangle of pixels with ink, found " +
                     std::to_string(ink.filled.size()) + " pixels without");
-    const Rows rows = rows_of(ink, budget);
+    const Rows rows = rows_of(ink, filled, budget);
     PictureCounts counts;
     counts.across = std::max(ink.columns, ink.rows);
     for (int halves = 0;; ++halves) {
@@ -234,9 +234,7 @@ PictureCounts picture_counts(const CellRectangle& ink, const Budget& budget) {
 
 BoxFit fit_picture(const PictureCounts& counts, const BoxCounts& shown) {
     BoxFit fit;
-    for (std::size_t scale = 0; scale + 1 < shown.counts.size(); ++scale)
-        fit.slopes.push_back(std::log(shown.mean(scale + 1) / shown.mean(scale)) /
-                             std::log(shown.scales.ratio));
+    fit.slopes = local_slopes(shown);
     const auto across = static_cast<double>(counts.across);
     if (counts.across < least_across) {
         fit.because =
@@ -255,12 +253,12 @@ BoxFit fit_picture(const PictureCounts& counts, const BoxCounts& shown) {
     const Law law =
         Used(counts, finest_shown, most, correction).nearest(false, fit.estimate->value);
     // As a line and a term that grows from scale to scale, for the plot.
-    const double step = std::log(shown.scales.ratio), whole = shown.scales.coarsest;
+    const double whole = shown.scales.coarsest;
     fit.slope = law.dimension;
     fit.intercept = law.constant;
     fit.boundary = std::exp(law.constant - law.dimension * std::log(whole)) * law.weight *
                    std::pow(whole / across, correction);
-    fit.rate = std::exp(step * (law.dimension - correction));
+    fit.rate = std::pow(shown.scales.ratio, law.dimension - correction);
     fit.because = fmt::format(
         "boxes up to {:.0f} pixels in all places of the grid, less what hangs over the outer shape "
         "and what single pixels hide",

@@ -14,6 +14,11 @@ namespace algae {
 /// Example: still_rise({1.1, 1.2, 1.25, 1.27})
 bool still_rise(const std::vector<double>& slopes);
 
+/// Between each scale and the next finer one: how fast the mean count grows with 1 / cell.
+///
+/// Example: local_slopes({{1, 2, 2}, {{1}, {4}}}) == std::vector<double>{2}
+std::vector<double> local_slopes(const BoxCounts& counts);
+
 /// How an interval is widened beyond the slopes: by these shares of their range, and upward by
 /// `beyond` once more.
 struct Widening {

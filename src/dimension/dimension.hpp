@@ -934,8 +934,8 @@ struct GeneralisedDimension {
 
 /// The dimensions D_q of Renyi (Hentschel and Procaccia, Physica D 8, 1983) of the length that a
 /// figure draws: with p the share of it in a box of side e, sum p^q grows as e^((q - 1) D_q), and
-/// sum p log p as D_1 log e, the information dimension. D_0 is the box dimension, with the same
-/// counts and the same estimate; what is drawn twice counts twice in all others.
+/// sum p log p as D_1 log e, the information dimension. D_0 is the box dimension, with the counts
+/// and the estimate of box_counts, not those of pictures; what is drawn twice counts twice in all others.
 ///
 /// For q below 0 a box that the set barely touches, whose p is as small as chance will have it,
 /// would outweigh all others. So there p is the share in the box and those around it, a box three
@@ -978,10 +978,9 @@ Scaling lacunarity(const CellRectangle& cells, const Budget& budget);
 
 /// How many boxes the ink of a picture touches: means over all places of the grid.
 struct PictureCounts {
-    std::size_t across = 0;  // the longer side of the ink, in pixels
-    std::vector<std::size_t>
-        sides;  // of boxes, in pixels, two an octave: 1, 2, 3, 4, 6, 8, 11 ... up to `across`
-    std::vector<double> boxes;  // for each side
+    std::size_t across = 0;          // the longer side of the ink, in pixels
+    std::vector<std::size_t> sides;  // of boxes, in pixels: 1, 2, 3, 4, 6, 8, 11 ... `across`
+    std::vector<double> boxes;       // for each side
 };
 
 /// Counts the boxes for all places of the grid at once, as the pixels of the ink dilated by a square (`picture.cpp`). The

@@ -53,7 +53,7 @@ public:
             for (const std::string_view word : blank_separated(before))
                 keyword += (keyword.empty() ? "" : " ") + std::string(word);
             check_spelling(keyword, said.place(0));
-            values_[keyword] = said.part(colon + 1, said.text.size()).trimmed();
+            values_[keyword].push_back(said.part(colon + 1, said.text.size()).trimmed());
         };
         for (std::size_t i = 0; i < whole.text.size(); ++i)
             if (whole.text[i] == '\n')
@@ -67,10 +67,15 @@ public:
         cpfg_fail(source_, place, message);
     }
 
-    /// What stands behind a keyword; nullptr if it does not occur.
+    /// What stands behind a keyword in the last line that has it; nullptr if there is none.
     const Placed* value(const char* keyword) const {
         const auto found = values_.find(keyword);
-        return found == values_.end() ? nullptr : &found->second;
+        return found == values_.end() ? nullptr : &found->second.back();
+    }
+    /// The same in all lines.
+    std::vector<Placed> values(const char* keyword) const {
+        const auto found = values_.find(keyword);
+        return found == values_.end() ? std::vector<Placed>{} : found->second;
     }
 
     /// Words of a value, each with its place.
@@ -156,7 +161,7 @@ private:
 
     std::string text_;
     Source source_;
-    std::map<std::string, Placed> values_;
+    std::map<std::string, std::vector<Placed>> values_;
 };
 
 bool is_zero(const Quantity& value) { return value.value == 0; }
@@ -209,6 +214,78 @@ void set_camera(const Lines& lines, Model& system) {
     system.drawing.camera = camera;
 }
 
+/// What one letter and a colon say in a line `tropism: T: x y z A: a I: i E: e S: s`.
+std::map<char, std::vector<Placed>> pull_of(const Lines& lines, const Placed& said) {
+    std::map<char, std::vector<Placed>> found;
+    std::vector<Placed>* values = nullptr;
+    for (const Placed& word : lines.words(said, " \t,")) {
+        if (word.text.size() == 2 && word.text[1] == ':') {
+            if (std::string_view("TAIES").find(word.text[0]) == std::string_view::npos)
+                lines.fail(word.place(0),
+                           "expected T:, A:, I:, E: or S:, found " + quoted(word.text));
+            values = &found[word.text[0]];
+            values->clear();
+        } else if (values) {
+            values->push_back(word);
+        } else {
+            lines.fail(word.place(0), "expected T:, A:, I:, E: or S:, found " + quoted(word.text));
+        }
+    }
+    const std::size_t all = 3;
+    for (const auto& [letter, numbers] : found)
+        if (numbers.size() != (letter == 'T' ? all : 1))
+            lines.fail(said.place(0),
+                       std::string("expected ") + (letter == 'T' ? "three numbers" : "a number") +
+                           " behind " + letter + ":, found " + std::to_string(numbers.size()));
+    return found;
+}
+
+/// Steps bend before they are made there, by the elasticity times the sine of the angle between the heading and T.
+void set_tropism(const Lines& lines, Model& system) {
+    std::vector<std::pair<const Placed*, std::map<char, std::vector<Placed>>>> pulls;
+    const auto number = [&](const auto& pull, char letter, int otherwise) {
+        const auto found = pull.find(letter);
+        return found == pull.end() ? quantity(otherwise) : lines.number(found->second.front());
+    };
+    for (const Placed& said : lines.values("torque"))
+        if (const auto pull = pull_of(lines, said); !is_zero(number(pull, 'E', 0)))
+            lines.fail(pull.at('E').front().place(0), "a torque has no meaning in the notation");
+    for (const Placed& said : lines.values("tropism"))
+        if (auto pull = pull_of(lines, said); !is_zero(number(pull, 'E', 0)))
+            pulls.emplace_back(&said, std::move(pull));
+    if (pulls.empty()) return;
+    if (pulls.size() > 1)
+        lines.fail(
+            pulls[1].first->place(0),
+            "a second tropism has no meaning in the notation: expected one with an elasticity "
+            "other than 0");
+    const auto& [said, pull] = pulls.front();
+    if (!is_zero(number(pull, 'A', 0)))
+        lines.fail(
+            pull.at('A').front().place(0),
+            "a tropism towards an angle from T has no meaning in the notation: expected A: 0");
+    if (number(pull, 'I', 1).value != 1)
+        lines.fail(pull.at('I').front().place(0),
+                   "an intensity has no meaning in the notation: expected I: 1");
+    if (!pull.contains('T')) lines.fail(said->place(0), "expected T: x y z, the direction");
+    std::vector<Quantity> to;
+    for (const Placed& part : pull.at('T')) to.push_back(lines.number(part));
+    const auto product = [](const char* formula, const std::vector<Quantity>& values) {
+        return evaluate(read_expression(formula), [&](const std::string& name) -> const Quantity* {
+            const auto at = std::string_view("xyze").find(name);
+            return at == std::string_view::npos ? nullptr : &values[at];
+        });
+    };
+    if (is_zero(to[0]) && is_zero(to[1]) && is_zero(to[2]))
+        lines.fail(pull.at('T').front().place(0), "expected a direction other than 0 0 0");
+    to.push_back(number(pull, 'E', 0));
+    system.drawing.susceptibility = product("e/sqrt(x^2+y^2+z^2)", to);
+    const bool upright = system.alphabet.find(cpfg_upward).has_value();
+    system.drawing.tropism =
+        upright ? Triple{to[0], product("-z", to), to[1]} : Triple{to[0], to[1], to[2]};
+    system.drawing.bends_before = true;
+}
+
 }  // namespace
 
 Model with_cpfg_view(const Model& system, std::string_view text, const std::string& name) {
@@ -236,15 +313,7 @@ Model with_cpfg_view(const Model& system, std::string_view text, const std::stri
         past && past->text == "on" && has_bare(system, "%"))
         lines.fail(past->place(0),
                    "what stands past % is never drawn in the notation: expected 'off'");
-    for (const char* pull : {"tropism", "torque"})
-        if (const Placed* said = lines.value(pull)) {
-            const std::vector<Placed> all = lines.words(*said, " \t,");
-            for (std::size_t i = 0; i + 1 < all.size(); ++i)
-                if (all[i].text == "E:" && !is_zero(lines.number(all[i + 1])))
-                    lines.fail(all[i].place(0),
-                               std::string("a ") + pull +
-                                   " turns before each step there, in the notation behind it");
-        }
+    set_tropism(lines, shown);
     if (const auto old = lines.number("initial elasticity"); old && !is_zero(*old))
         lines.fail(lines.value("initial elasticity")->place(0),
                    "the older tropism turns by an arc sine there, in the notation by a product");

@@ -120,6 +120,7 @@ struct Drawing {
     std::vector<SolidSetting> solids;  // `solid F box width`: F is a box, its parameter the width
     std::vector<SurfaceSetting> surfaces;  // `surface K leaf`: K leaves a surface
     std::optional<Triple> tropism;  // direction that steps bend to, as strong as it is long; none
+    bool bends_before = false;      // before steps and moves, not after strokes
     std::optional<Quantity> susceptibility;  // factor on how far they bend; 1
     std::optional<CameraSetting> camera;     // of figures in space; -60 15
     std::optional<Direction> light;          // where it comes from; over the camera's left shoulder

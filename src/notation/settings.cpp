@@ -472,10 +472,11 @@ void read_label(const Clause& clause, Reading& reading) {
     reading.drawing.labels.push_back(std::move(label));
 }
 
-/// So many numbers, and no more than that; `what` is for messages.
+/// So many numbers, and no more than that and `words` words behind them; `what` is for messages.
 std::vector<Quantity> numbers_of(const Clause& clause, std::size_t count, const char* what,
-                                 Reading& reading) {
-    const auto parts = pieces(clause.value());
+                                 Reading& reading, std::size_t words = 0) {
+    auto parts = pieces(clause.value());
+    parts.resize(parts.size() - words);
     if (parts.size() < count) throw unexpected(what, end_of(clause));
     if (parts.size() > count)
         throw unexpected("the end of the line after " + std::string(what), parts[count].data());
@@ -485,10 +486,13 @@ std::vector<Quantity> numbers_of(const Clause& clause, std::size_t count, const 
 }
 
 void read_tropism(const Clause& clause, Reading& reading) {
-    const auto to = numbers_of(clause, 3, "three coordinates", reading);
+    const auto words = pieces(clause.value());
+    const bool bends_before = words.size() > 3 && words.back() == "before";
+    const auto to = numbers_of(clause, 3, "three coordinates", reading, bends_before ? 1 : 0);
     if (to[0].value == 0 && to[1].value == 0 && to[2].value == 0)
         throw SyntaxError{clause.value().data(), "expected a direction, found the zero vector"};
     reading.drawing.tropism = Triple{to[0], to[1], to[2]};
+    reading.drawing.bends_before = bends_before;
 }
 
 void read_susceptibility(const Clause& clause, Reading& reading) {
@@ -708,7 +712,9 @@ Values print_start(const Printing& printing) {
 Values print_tropism(const Printing& printing) {
     const auto& to = printing.drawing.tropism;
     if (!to) return {};
-    return {joined({piece(to->x), piece(to->y), piece(to->z)}, " ")};
+    Values parts{piece(to->x), piece(to->y), piece(to->z)};
+    if (printing.drawing.bends_before) parts.emplace_back("before");
+    return {joined(parts, " ")};
 }
 
 std::string print_direction(const Direction& direction) {
@@ -982,7 +988,10 @@ const std::vector<Setting>& settings() {
          outside,
          read_surface,
          [](P p) { return print_shapes(p.drawing.surfaces, p, print_surface); }},
-        {{"tropism", {"tropism 0 0 -1"}, "where strokes bend to; [above](#in-space)", "nowhere"},
+        {{"tropism",
+          {"tropism 0 0 -1", "tropism 0 0 -1 before"},
+          "where strokes bend to; [above](#in-space)",
+          "nowhere"},
          other,
          once,
          outside,

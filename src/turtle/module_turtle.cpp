@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -262,12 +263,18 @@ private:
     }
 
     void go(bool drawn, bool marked, double steps) {
+        if (manner_.tropism && manner_.bends_before) bend(1);
         const double way = state_.step * steps;
         go_to(state_.position + way * state_.attitude.heading(), drawn, marked);
-        if (!drawn || !manner_.tropism) return;
+        if (drawn && manner_.tropism && !manner_.bends_before)
+            bend(std::numeric_limits<double>::infinity());
+    }
+
+    /// Towards the tropism, by so many radians at most.
+    void bend(double most) {
         const Vector& to = *manner_.tropism;
         const double pull = length(cross(state_.attitude.heading(), to));
-        state_.attitude.bend(to, manner_.susceptibility * pull);
+        state_.attitude.bend(to, std::clamp(manner_.susceptibility * pull, -most, most));
     }
 
     void rescale(double factor) {

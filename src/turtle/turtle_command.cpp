@@ -280,6 +280,7 @@ TurtleManner turtle_manner(const Model& system, std::uint64_t generation, const 
     manner.susceptibility = value_or(drawing.susceptibility, 1);
     if (const auto& to = drawing.tropism)
         manner.tropism = Vector{to->x.value, to->y.value, to->z.value};
+    manner.bends_before = drawing.bends_before;
     TurtleState& start = manner.start;
     start.step = step_length(drawing, generation, name);
     double heading = std::fmod(value_or(drawing.spin, 0) * static_cast<double>(generation), 360.0);

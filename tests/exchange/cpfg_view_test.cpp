@@ -53,6 +53,20 @@ TEST_CASE("a view file of cpfg says the angle, the width of lines and where the 
     CHECK(near(scene.rods[0].to, Vector{0, 0, 1}));
 }
 
+TEST_CASE("a tropism of cpfg bends before steps and moves") {
+    const auto end_of = [](const std::string& axiom, const std::string& view) {
+        return scene_of(with_cpfg_view(plant(axiom), view, "plant.v"), 0).end.position;
+    };
+    // Where the program itself ends, as far as it prints it.
+    const Vector there{-0.744339, 0.667802, 0};
+    CHECK(length(end_of("+(40)F", "tropism: T: 0 -1 0 E: 0.22\n") - there) < 2e-6);
+    CHECK(length(end_of("+(40)F", "tropism: T: 0 -2 0 A: 0 I: 1 E: 0.22 S: 0.1\n") - there) < 2e-6);
+    // A turtle that stands along z sees the page's y as z, and its z as -y.
+    const Vector page = end_of("&(30)F(3)+(20)f", "tropism: T: 1 2 -3 E: 0.3\n"),
+                 upright = end_of("&(30)F(3)+(20)f[@vf]", "tropism: T: 1 2 -3 E: 0.3\n");
+    CHECK(near(upright, Vector{page.x, -page.z, page.y}));
+}
+
 TEST_CASE("what a view file of cpfg says otherwise than the notation is refused with its place") {
     const std::tuple<const char*, const char*, const char*> all[] = {
         {"F", "angle increment 22\n", "plant.v:1:1: error: expected `keyword: values`"},
@@ -64,8 +78,19 @@ TEST_CASE("what a view file of cpfg says otherwise than the notation is refused 
         {"F!F", "line width increment: 0.5\n", "plant.v:1:23: error: widths that grow"},
         {"F", "line width increment: 0.5\n", ""},
         {"F%F", "interpretation past %: on\n", "plant.v:1:24: error: what stands past %"},
-        {"F", "tropism: T: 0 -1 0 E: 0.22\n", "plant.v:1:20: error: a tropism turns before"},
-        {"F", "tropism: T: 0 -1 0\n", ""},
+        {"F", "tropism: T: 0 -1 0 E: 0.22\ntropism: T: 0 1 0 E: 1\n",
+         "plant.v:2:10: error: a second tropism"},
+        {"F", "tropism: T: 0 -1 0\ntropism: T: 0 -1 0 I: 1 E: 0.22 S: 0.1\n", ""},
+        {"F", "tropism: T: 0 -1 0 A: 20 E: 1\n", "plant.v:1:23: error: a tropism towards an angle"},
+        {"F", "tropism: T: 0 -1 0 I: 2 E: 1\n", "plant.v:1:23: error: an intensity"},
+        {"F", "tropism: T: 0 -1 E: 1\n",
+         "plant.v:1:10: error: expected three numbers behind T:, found 2"},
+        {"F", "tropism: T: 0 0 0 E: 1\n",
+         "plant.v:1:13: error: expected a direction other than 0 0 0"},
+        {"F", "tropism: E: 1\n", "plant.v:1:10: error: expected T: x y z, the direction"},
+        {"F", "tropism: 0 -1 0\n", "plant.v:1:10: error: expected T:, A:, I:, E: or S:, found '0'"},
+        {"F", "torque: T: 0 -1 0 E: 0\n", ""},
+        {"F", "torque: T: 0 -1 0 E: 0.1\n", "plant.v:1:22: error: a torque has no meaning"},
         {"F", "initial elasticity: 1.0\n", "plant.v:1:21: error: the older tropism"},
         {"F&F", "viewpoint: 1 2\n", "plant.v:1:12: error: expected a viewpoint of three numbers"},
         {"F", "initial line width: 0\n", "plant.v:1:21: error: expected a width above 0"},

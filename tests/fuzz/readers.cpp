@@ -282,7 +282,7 @@ void take_view(std::string_view text) {
 Texts view_seeds() {
     return {"angle increment: 22.5\ninitial line width: 2 pixels\nviewpoint: 0 -1 1\n",
             "#define A 4\nangle factor: A*4 // parts\nprojection: perspective\n",
-            "tropism: T: 0 -1 0 E: 0\nline width increment: 0\n"};
+            "tropism: T: 0 -1 0 E: 0.2\nline width increment: 0\n"};
 }
 
 Texts point_seeds() {

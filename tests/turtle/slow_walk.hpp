@@ -71,6 +71,7 @@ struct Solid {
 struct Walk {
     Place tropism{};
     Real susceptibility = 1;
+    bool before = false;  // it bends before steps and moves, by one radian at most
     std::vector<Stroke> strokes;
     std::vector<Solid> solids;
     Place end{};
@@ -102,7 +103,8 @@ private:
         const Real size = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
         if (size == 0) return;
         const Place unit{axis[0] / size, axis[1] / size, axis[2] / size};
-        state.frame = product(rotation(unit, susceptibility * size), state.frame);
+        const Real angle = susceptibility * size;
+        state.frame = product(rotation(unit, before && angle > 1 ? 1 : angle), state.frame);
     }
 
     void branch(const std::vector<Module>& word, std::size_t& next, State state,
@@ -150,6 +152,7 @@ private:
                     break;
                 case 'f':
                 case 'F': {
+                    if (before) bend(state);
                     Stroke stroke;
                     stroke.from = state.here;
                     for (std::size_t i = 0; i < 3; ++i)
@@ -162,7 +165,7 @@ private:
                     if (module.symbol == 'f') break;
                     state.last = strokes.size();
                     strokes.push_back(stroke);
-                    bend(state);
+                    if (!before) bend(state);
                     break;
                 }
                 default:

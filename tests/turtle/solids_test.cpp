@@ -127,6 +127,11 @@ TEST_CASE("tropisms bend strokes, in the plane too") {
     // Against T nothing bends, and T beside H to the end.
     CHECK(scene(read_lsystem("axiom -FFF; tropism 0 1 0", ""), 0, {}).end.position ==
           Vector{0, -3, 0});
+    // Before steps, moves too, and one radian at most.
+    const Scene early = drawn("axiom fF; tropism 0 1 0 before; susceptibility 0.5");
+    CHECK(early.rods[0].from.y == doctest::Approx(std::sin(0.5)));
+    CHECK(early.rods[0].to.y == doctest::Approx(std::sin(0.5) + std::sin(second)));
+    CHECK(drawn("axiom F; tropism 0 3 0 before").rods[0].to.y == doctest::Approx(std::sin(1.0)));
 }
 
 TEST_CASE("boxes of shape rules stand with Y up, each symbol with its colour") {

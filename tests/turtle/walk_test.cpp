@@ -76,8 +76,9 @@ TEST_CASE("any walk in space is that of matrices and recursion") {
         if (bends) {
             truth.tropism = {0.5L, -1.0L, 0.25L * below(3)};
             truth.susceptibility = 0.125L * below(9);
+            truth.before = below(2) == 1;
             settings += "tropism 0.5 -1 " + std::to_string(static_cast<double>(truth.tropism[2])) +
-                        "\nsusceptibility " +
+                        (truth.before ? " before" : "") + "\nsusceptibility " +
                         std::to_string(static_cast<double>(truth.susceptibility)) + '\n';
         }
         truth.all(word);

@@ -3,6 +3,7 @@
 //     node build.mjs FOLDER           page.html and LICENCES.txt, as the command carries them
 //     node build.mjs FOLDER static    the page in parts, which go beside the engines of tools/engine; built/program.mjs for their test
 import { build, transform } from 'esbuild';
+import { createRequire } from 'node:module';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 
 const target = process.argv[2] ?? '../built';
@@ -28,8 +29,15 @@ if (isStatic) {
   const worker = (await build({ ...shared, entryPoints: ['src/worker.ts'], format: 'iife', write: false })).outputFiles[0].text;
   writeFileSync(`${target}/worker.js`, worker + (await transform(readFileSync(`${target}/engine.js`, 'utf8'), { minify: true, legalComments: 'none' })).code);
   await build({ ...shared, entryPoints: ['src/program.ts'], format: 'esm', outfile: 'built/program.mjs' });
-  // A Worker loads the engine of figures and makes the first picture while the page's script is still read.
-  const early = (await build({ ...shared, entryPoints: ['src/early.ts'], format: 'iife', write: false })).outputFiles[0].text;
+  // A Worker loads the engine of figures while the page's script is still read.
+  // The first picture itself the engine makes here, in the detail of the largest screens.
+  const { answerOf, firstQuestion } = await import(`${process.cwd()}/built/program.mjs`);
+  const pixels = 16384;
+  const engine = await WebAssembly.compile(readFileSync(`${target}/engine.wasm`));
+  const first = await answerOf(createRequire(import.meta.url)(`${target}/engine.js`), engine, firstQuestion(pixels), 60, () => {});
+  if (first.status !== 0) throw new Error(`the first picture: ${first.said}`);
+  const define = { algaeFirst: JSON.stringify({ status: first.status, said: first.said, pixels, bytes: Buffer.from(first.bytes).toString('base64') }) };
+  const early = (await build({ ...shared, define, entryPoints: ['src/early.ts'], format: 'iife', write: false })).outputFiles[0].text;
   const own = Object.values(metafile.outputs).find((one) => one.entryPoint === 'src/main.ts');
   const preloads = own.imports.filter((one) => one.kind === 'import-statement').map((one) => `<link rel="modulepreload" href="parts/${one.path.split('/').pop()}">\n`);
   const loading = `<script>

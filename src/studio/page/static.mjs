@@ -11,8 +11,8 @@ import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
 import { relative } from 'node:path';
 import { setTimeout as later } from 'node:timers/promises';
-import { gzipSync } from 'node:zlib';
-import { answerOf } from './built/program.mjs';
+import { deflateRawSync, gzipSync } from 'node:zlib';
+import { answerOf, firstQuestion } from './built/program.mjs';
 import { checks, startedStudio } from './driving.mjs';
 
 const [algae, folder, pictures, executable] = process.argv.slice(2);
@@ -178,21 +178,32 @@ if (executable) {
   context.on('weberror', (error) => said.push(String(error.error())));
   // How long a first picture takes, each time in a browser that has nothing of the page: from the beginning of the navigation to the frame.
   // Meanwhile nobody asks the page anything: to look for an element, Playwright first has a script of its own read there.
-  const times = [];
-  for (let i = 0; i < 7; ++i) {
+  // The system of the page itself, whose figure comes with the page, and one of a link, whose figure the engine makes.
+  const linked = deflateRawSync(JSON.stringify({ text: 'axiom F-F-F-F\nF -> F-F+F+FF-F-F+F\nangle 90\ngeneration 2\n', kind: 'system' })).toString('base64url');
+  const times = { own: [], linked: [] };
+  const median = (name) => times[name].sort((a, b) => a - b)[3];
+  for (let i = 0; i < 14; ++i) {
     const fresh = await browser.newContext({ viewport: { width: 1400, height: 860 } });
     const first = await fresh.newPage();
-    await first.goto(address);
+    await first.goto(i % 2 === 0 ? address : `${address}#${linked}`);
     do await later(2000);
     while ((await first.evaluate(() => window.algaeFigurePainted())) === 0);
-    times.push(Math.round(await first.evaluate(() => window.algaeFigurePainted())));
+    times[i % 2 === 0 ? 'own' : 'linked'].push(Math.round(await first.evaluate(() => window.algaeFigurePainted())));
     await first.getByRole('img', { name: /256 segments/ }).waitFor();
+    if (i === 0) {
+      const came = Buffer.from(await first.evaluate(async () => [...(await algaeEarly.said).bytes]));
+      for (const pixels of [64, 1400, 16384]) {
+        const made = await engineSays(firstQuestion(pixels));
+        check(made.status === 0 && came.equals(Buffer.from(made.bytes)), `the first picture is what the engine makes for ${pixels} pixels`);
+      }
+    }
     await fresh.close();
   }
   const load = sizeOf([...new Set(served)]);
   console.log(`first load: ${load} bytes gzipped; the theory: ${sizeOf(['theory.js', 'theory.wasm'])} more`);
   check(load > 1e6 && load <= 2.5e6, `the first load is at most 2.5 MB gzipped, not ${load}`);
-  console.log(`first picture after ${times.sort((a, b) => a - b)[3]} ms, the median of ${times.join(', ')}`);
+  console.log(`first picture after ${median('own')} ms, the median of ${times.own.join(', ')}`);
+  console.log(`of a system in a link after ${median('linked')} ms, the median of ${times.linked.join(', ')}`);
   check(!served.includes('theory.wasm'), 'a first picture does not load the engine of the theory');
   const settled = () => page.waitForFunction(() => !document.querySelector('[aria-busy="true"]'));
   const panel = async () => {

@@ -14,6 +14,6 @@ export interface FirstQuestion {
 }
 
 /** Asked in the detail of the whole screen, so the answer is fine enough for any canvas on it. */
-export function firstQuestion(): FirstQuestion {
-  return { question: 'figure', text: firstSystem, pixels: Math.round(Math.max(screen.width, screen.height) * devicePixelRatio) };
+export function firstQuestion(pixels = Math.round(Math.max(screen.width, screen.height) * devicePixelRatio)): FirstQuestion {
+  return { question: 'figure', text: firstSystem, pixels };
 }

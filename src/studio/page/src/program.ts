@@ -1,6 +1,8 @@
 // One question to the engine as WebAssembly. Each has an instance of its own, as each has a process of its own in the server: what goes
 // wrong in one is gone with it. Runs in a Worker of the page and, for its test, in node.
 
+export { firstQuestion } from './first';
+
 export interface Program {
   FS: {
     writeFile(path: string, text: string): void;

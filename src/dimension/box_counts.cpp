@@ -13,8 +13,9 @@
 // of a lattice whose doubles differ in the last digits are one point, and half-open cells give
 // every point exactly one cell. `walk_cells` (cells.hpp) goes from cell to cell along a segment by
 // comparing integers (Amanatides and Woo 1987). Most segments are shorter than a cell: one that
-// stays in its cell costs two comparisons inline (`TouchedCells::line_to`), and a step to one of the
-// four neighbours does without the walk.
+// stays in its cell costs two comparisons inline (`TouchedCells::step`), and a step to one of the
+// four neighbours does without the walk. Figures on a lattice send blocks of strokes, so that neither the
+// turtle nor a call stands between one stroke and the next (`TouchedCells::follow`).
 //
 // Cells are bits in tiles of 8 by 8, in Morton order, so that the four cells of a cell twice as
 // wide are neighbours in memory: for ratio 2, only the finest scale is marked, and the coarser
@@ -174,36 +175,30 @@ TouchedCells::TouchedCells(const Grid& grid, double reach, const Budget& budget)
                                                                          : CellSet::Storage::sparse,
                    budget) {}
 
-void TouchedCells::cross(GridPoint to) {
-    const std::int64_t columns = to.column() - here_.column(), rows = to.row() - here_.row();
-    if (rows == 0 && columns == 1) {
-        cell_.right();
-    } else if (rows == 0 && columns == -1) {
-        cell_.left();
-    } else if (columns == 0 && rows == 1) {
-        cell_.up();
-    } else if (columns == 0 && rows == -1) {
-        cell_.down();
-    } else {
-        cross_many(to);
-        return;
-    }
-    cells_.mark(cell_);
-}
-
-void TouchedCells::cross_many(GridPoint to) {
-    const bool right = to.x > here_.x, up = to.y > here_.y;
-    walk_cells(here_, to, [&](const Crossing& crossing) {
-        if (crossing.sideways) right ? cell_.right() : cell_.left();
-        if (crossing.upright) up ? cell_.up() : cell_.down();
-        cells_.mark(cell_);
+Morton TouchedCells::crossed(Pen pen, GridPoint to) {
+    const bool right = to.x > pen.here.x, up = to.y > pen.here.y;
+    walk_cells(pen.here, to, [&](const Crossing& crossing) {
+        if (crossing.sideways) right ? pen.cell.right() : pen.cell.left();
+        if (crossing.upright) up ? pen.cell.up() : pen.cell.down();
+        cells_.mark(pen.cell);
     });
+    return pen.cell;
 }
 
 void TouchedCells::outside(Point point) const {
     throw Error("the figure has the point (" + std::to_string(point.x) + ", " +
                 std::to_string(point.y) +
                 "), expected all points to lie within its box, which numbers can hold");
+}
+
+void BoxCounter::block(const StrokeBlock& block, Point from) {
+    if (lifted_ && !block.strokes.front().lifted)
+        for (TouchedCells& grid : grids_) grid.start(here_);
+    for (TouchedCells& grid : grids_) grid.follow(block.strokes, from);
+    for (const StrokeBlock::Stroke& stroke : block.strokes) segments_ += stroke.lifted ? 0 : 1;
+    const StrokeBlock::Stroke& last = block.strokes.back();
+    here_ = {from.x + last.to.x, from.y + last.to.y};
+    lifted_ = last.lifted;
 }
 
 void BoxCounter::polygon(std::span<const Point> corners) {

@@ -129,6 +129,13 @@ struct Morton {
     constexpr void left() { code = (code & rows) | (((code & columns) - 1) & columns); }
     constexpr void up() { code = (code & columns) | (((code | columns) + 1) & rows); }
     constexpr void down() { code = (code & columns) | (((code & rows) - 1) & rows); }
+    /// By so many columns and rows, each -1, 0 or 1: numbers with spread bits are added as others are, with the bits
+    /// between them set.
+    constexpr void by(std::int64_t across, std::int64_t upward) {
+        constexpr std::uint64_t ways[3][2] = {{columns, rows}, {0, 0}, {1, 2}};
+        code = (((code | rows) + ways[across + 1][0]) & columns) |
+               (((code | columns) + ways[upward + 1][1]) & rows);
+    }
     bool operator==(const Morton&) const = default;
 };
 
@@ -215,21 +222,26 @@ public:
     TouchedCells(const Grid& grid, int bits, CellSet::Storage storage, const Budget& budget);
 
     /// Where the next segment starts; marks its cell.
-    void start(Point point) {
-        here_ = at(point);
-        cell_ = Morton(static_cast<std::uint64_t>(here_.column()),
-                       static_cast<std::uint64_t>(here_.row()));
-        cells_.mark(cell_);
-    }
+    void start(Point point) { start(pen_, at(point)); }
     /// Marks the cells of the segment from where the last one ended.
-    void line_to(Point point) {
-        const GridPoint to = at(point);
-        if (((to.x ^ here_.x) | (to.y ^ here_.y)) >> Grid::fraction_bits != 0) cross(to);
-        here_ = to;
+    void line_to(Point point) { step(pen_, at(point)); }
+    /// The strokes of a block that begins at `from`, where the last segment ended.
+    void follow(const std::vector<StrokeBlock::Stroke>& strokes, Point from) {
+        Pen pen = pen_;  // in registers, whatever is marked
+        for (const StrokeBlock::Stroke& stroke : strokes) {
+            const GridPoint to = at({from.x + stroke.to.x, from.y + stroke.to.y});
+            stroke.lifted ? start(pen, to) : step(pen, to);
+        }
+        pen_ = pen;
     }
     CellSet& cells() { return cells_; }
 
 private:
+    struct Pen {
+        GridPoint here;
+        Morton cell;  // of here
+    };
+
     GridPoint at(Point point) const {
         // The comparison also holds back what is not a number.
         const double x = (point.x - grid_.origin.x) * scale_ + 0.5;
@@ -238,21 +250,38 @@ private:
             outside(point);
         return {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
     }
-    /// Marks the cells after the one of `here_` up to the one of `to`.
-    void cross(GridPoint to);
-    void cross_many(GridPoint to);
+    void start(Pen& pen, GridPoint to) {
+        pen = {to, Morton(static_cast<std::uint64_t>(to.column()),
+                          static_cast<std::uint64_t>(to.row()))};
+        cells_.mark(pen.cell);
+    }
+    /// Marks the cells behind the pen's up to the one of `to`.
+    void step(Pen& pen, GridPoint to) {
+        if (((to.x ^ pen.here.x) | (to.y ^ pen.here.y)) >> Grid::fraction_bits != 0) {
+            const std::int64_t columns = to.column() - pen.here.column(),
+                               rows = to.row() - pen.here.row();
+            if (columns * columns + rows * rows > 1) {
+                pen.cell = crossed(pen, to);
+            } else {
+                pen.cell.by(columns, rows);
+                cells_.mark(pen.cell);
+            }
+        }
+        pen.here = to;
+    }
+    /// The same where these are more than a neighbour; the last one.
+    Morton crossed(Pen pen, GridPoint to);
     [[noreturn]] void outside(Point point) const;
 
     Grid grid_;
     double scale_;  // from the figure's units to parts of a cell
     double end_;
-    GridPoint here_;
-    Morton cell_;  // of here_
+    Pen pen_;
     CellSet cells_;
 };
 
 /// Counts cells for several grids in one pass: a canvas on which a figure is drawn.
-class BoxCounter final : public Canvas {
+class BoxCounter final : public BlockCanvas {
 public:
     explicit BoxCounter(std::vector<TouchedCells> grids) : grids_(std::move(grids)) {}
 
@@ -268,6 +297,7 @@ public:
         for (TouchedCells& grid : grids_) grid.line_to(point);
         ++segments_;
     }
+    void block(const StrokeBlock& block, Point from) override;
     /// Its outline.
     void polygon(std::span<const Point> corners) override;
 

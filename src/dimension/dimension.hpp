@@ -108,6 +108,30 @@ private:
     ScalingRatio ratio_;
 };
 
+/// log E / log ratio, where parts multiply on average by E: a rate divided by a whole number.
+class ExpectedRatio {
+public:
+    /// Throws Error unless the divisor is above 0.
+    ///
+    /// Example: ExpectedRatio(Rate(14), 4, ScalingRatio(Integer(3))).text() == "log (7/2) / log 3"
+    ExpectedRatio(Rate rate, Integer divisor, ScalingRatio ratio);
+
+    const ScalingRatio& ratio() const { return ratio_; }
+    /// E: "7/2", "((1+sqrt(5))/2)/3".
+    std::string average() const;
+    std::optional<Rational> rational() const;
+    Ball enclosure(long bits) const;
+    /// "log (7/2) / log 3".
+    std::string text() const;
+    /// Correctly rounded to so many digits after the point.
+    std::string decimal(int digits) const;
+
+private:
+    Rate rate_;
+    Integer divisor_;  // the least one
+    ScalingRatio ratio_;
+};
+
 class WayGrowth;
 
 /// The similarity dimension of a graph-directed set with unequal ratios (Mauldin and Williams,
@@ -186,6 +210,7 @@ public:
     DimensionFormula(LogRatio formula) : formula_(std::move(formula)) {}
     DimensionFormula(RatioSum formula) : formula_(std::move(formula)) {}
     DimensionFormula(CarpetDimension formula) : formula_(std::move(formula)) {}
+    DimensionFormula(ExpectedRatio formula) : formula_(std::move(formula)) {}
 
     const LogRatio* log_ratio() const { return std::get_if<LogRatio>(&formula_); }
     const RatioSum* ratio_sum() const { return std::get_if<RatioSum>(&formula_); }
@@ -198,7 +223,7 @@ public:
     std::string decimal(int digits) const;
 
 private:
-    std::variant<LogRatio, RatioSum, CarpetDimension> formula_;
+    std::variant<LogRatio, RatioSum, CarpetDimension, ExpectedRatio> formula_;
 };
 
 // The exact dimension.
@@ -215,6 +240,8 @@ struct ExactDimension {
     };
 
     Status status = Status::none;
+    /// Whether chance has a part in the set: then all is so with probability 1, and of single sets nothing is known.
+    bool almost_surely = false;
     std::optional<DimensionFormula> value;
     /// log rate / log |mu|, with multiplicity: where parts coincide it is too large.
     std::optional<DimensionFormula> similarity;
@@ -251,6 +278,9 @@ struct ExactDimension {
 /// way. With several constants, or an angle of no lattice, the value is the similarity dimension
 /// (`RatioSum`): exact where neighbour maps show that no parts coincide, else an upper bound.
 /// Segments that stay segments have the dimension 1.
+///
+/// Of a stochastic 0L system whose alternatives move the turtle in the same way it is the dimension of the random set with
+/// probability 1, the logarithm of the rate at which parts multiply on average over that of the factor (random_set.cpp).
 ///
 /// At most so many ways in which parts meet are looked at, and kinds of parts. Throws BoundReached past
 /// the deadline, Interrupted: neither says anything about the rules.

@@ -314,7 +314,8 @@ bool has_lattice_angle(const Drawing& drawing) {
 ExactDimension found_dimension(const Model& system, std::size_t ways, const Budget& budget) {
     ExactDimension none;
     const View<D0L> rules = as_d0l(system);
-    if (!rules && !has_parameters(system)) {
+    const View<S0L> chance = rules ? View<S0L>::refused("") : as_s0l(system);
+    if (!rules && !chance && !has_parameters(system)) {
         none.conditions.push_back(rules.reason());
         return none;
     }
@@ -323,6 +324,7 @@ ExactDimension found_dimension(const Model& system, std::size_t ways, const Budg
         if (drawing.tropism) throw Error("strokes bend to a tropism");
         if (!drawing.solids.empty()) throw Error("symbols leave solids");
         if (!drawing.surfaces.empty()) throw Error("symbols leave surfaces");
+        if (chance) return random_dimension(system, *chance, ways, budget);
         if (!rules || !has_lattice_angle(drawing))
             return parametric_dimension(system, ways, budget);
         const auto limit = std::make_shared<const RecurrentSet>(system, *rules, budget);

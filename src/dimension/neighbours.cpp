@@ -339,16 +339,6 @@ private:
     std::size_t looks_ = 0;  // at pairs of parts
 };
 
-/// rate / scale, an algebraic integer because it is the rate of a sequence of integers (Fatou).
-Rate divided(const Rate& rate, const Integer& scale, const Rational& above) {
-    const Polynomial& polynomial = rate.minimal_polynomial();
-    std::vector<Integer> coefficients;
-    const auto degree = static_cast<std::uint64_t>(polynomial.degree());
-    for (std::uint64_t i = 0; i <= degree; ++i)
-        coefficients.push_back(exact_divide(polynomial.coefficient(i), power(scale, degree - i)));
-    return Rate(Polynomial(std::move(coefficients)), above);
-}
-
 }  // namespace
 
 DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
@@ -379,8 +369,8 @@ DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
         level = level * matrix;
         divisor *= scale;
     }
-    found.rate =
-        divided(rate_of_paths(start, matrix, budget), scale, above_all(matrix) / Rational(scale));
+    // It is the rate of a sequence of integers, so an algebraic integer (Fatou).
+    found.rate = quotient(rate_of_paths(start, matrix, budget), scale).value();
     return found;
 }
 

@@ -322,6 +322,67 @@ std::string LogRatio::decimal(int digits) const {
     return algae::decimal([&](long bits) { return enclosure(bits); }, digits);
 }
 
+std::optional<Rate> quotient(const Rate& rate, const Integer& divisor) {
+    const Polynomial& polynomial = rate.minimal_polynomial();
+    std::vector<Integer> coefficients;
+    Integer above = 1;  // no root is as large as 1 and the largest coefficient (Cauchy)
+    const auto degree = static_cast<std::uint64_t>(polynomial.degree());
+    for (std::uint64_t i = 0; i <= degree; ++i) {
+        const Integer power = algae::power(divisor, degree - i);
+        if (!remainder(polynomial.coefficient(i), power).is_zero()) return std::nullopt;
+        coefficients.push_back(exact_divide(polynomial.coefficient(i), power));
+        above = std::max(above, abs(coefficients.back()) + 1);
+    }
+    return Rate(Polynomial(std::move(coefficients)), Rational(above));
+}
+
+ExpectedRatio::ExpectedRatio(Rate rate, Integer divisor, ScalingRatio ratio)
+    : rate_(std::move(rate)), divisor_(std::move(divisor)), ratio_(std::move(ratio)) {
+    if (sign(divisor_) <= 0)
+        throw Error("expected a number above 0 to divide by, found " + to_string(divisor_));
+    if (const auto whole = rate_.integer()) {
+        const Rational average(*whole, divisor_);
+        rate_ = Rate(average.numerator());
+        divisor_ = average.denominator();
+        return;
+    }
+    constexpr long most = 1000;
+    for (long factor = 2; factor <= most && Integer(factor) <= divisor_; ++factor)
+        while (remainder(divisor_, factor).is_zero()) {
+            auto smaller = quotient(rate_, factor);
+            if (!smaller) break;
+            rate_ = std::move(*smaller);
+            divisor_ = exact_divide(divisor_, factor);
+        }
+}
+
+std::string ExpectedRatio::average() const {
+    if (divisor_ == Integer(1)) return rate_.exact();
+    if (const auto whole = rate_.integer()) return to_string(Rational(*whole, divisor_));
+    return bracketed(rate_.exact()) + "/" + to_string(divisor_);
+}
+
+std::optional<Rational> ExpectedRatio::rational() const {
+    // No power of a number that is no algebraic integer is one.
+    if (divisor_ != Integer(1)) return std::nullopt;
+    return LogRatio(rate_, ratio_).rational();
+}
+
+Ball ExpectedRatio::enclosure(long bits) const {
+    const Ball average = rate_.enclosure(bits + 16) / Ball(divisor_, bits + 16);
+    return log(average) / log(ratio_.enclosure(bits + 16));
+}
+
+std::string ExpectedRatio::text() const {
+    if (divisor_ == Integer(1)) return LogRatio(rate_, ratio_).text();
+    return "log " + bracketed(average()) + " / log " + bracketed(ratio_.text());
+}
+
+std::string ExpectedRatio::decimal(int digits) const {
+    if (const auto value = rational()) return algae::decimal(*value, digits);
+    return algae::decimal([&](long bits) { return enclosure(bits); }, digits);
+}
+
 namespace {
 
 /// A number and the k for which it is the k-th root of it, as large as can be seen from the

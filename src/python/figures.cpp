@@ -677,6 +677,8 @@ void add_figures(py::module_& module) {
 
     py::class_<DimensionObject>(module, "Dimension")
         .def("status", [](const DimensionObject& found) { return status_of(found.exact); })
+        .def("almost_surely",
+             [](const DimensionObject& found) { return found.exact.almost_surely; })
         .def("conditions", [](const DimensionObject& found) { return found.exact.conditions; })
         .def("text",
              [](const DimensionObject& found) -> std::optional<std::string> {

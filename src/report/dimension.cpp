@@ -125,6 +125,7 @@ Json exact_json(const ExactDimension& exact) {
     else if (exact.value)
         json.update(bound);
     json.set("conditions", exact.conditions);
+    json.set("almost_surely", exact.almost_surely);
     json.set("similarity", formula_json(exact.similarity));
     json.set("boundary", formula_json(exact.boundary));
     if (exact.others) {
@@ -155,7 +156,8 @@ std::string exact_page(const ExactDimension& exact) {
         return what + formula + (dimension.rational() ? "" : " = " + dimension.decimal(digits)) +
                "\n";
     };
-    if (exact.status == ExactDimension::Status::exact) text += line("exact: ", *exact.value);
+    if (exact.status == ExactDimension::Status::exact)
+        text += line(exact.almost_surely ? "exact, with probability 1: " : "exact: ", *exact.value);
     if (exact.status == ExactDimension::Status::upper_bound)
         text += exceeds_plane(exact)
                     ? line("upper bound: 2, as for every set in the plane; the formula gives ",

@@ -362,7 +362,10 @@ std::string to_latex(const DimensionReport& report) {
             return all.empty() ? all : all + ")";
         };
         if (exact.status == ExactDimension::Status::exact)
-            text += line("The dimension is exactly", *exact.value) + conditions() + ".\n";
+            text += line(exact.almost_surely ? "With probability $1$ the dimension is"
+                                             : "The dimension is exactly",
+                         *exact.value) +
+                    conditions() + ".\n";
         else if (exact.status == ExactDimension::Status::upper_bound)
             text += line("The dimension is at most", *exact.value) + conditions() + ".\n";
         else

@@ -98,6 +98,19 @@ TEST_CASE("without a formula nothing is decided") {
           Truth::undecided);
 }
 
+TEST_CASE("what is so with probability 1 decides nothing") {
+    const std::string koch_or_line =
+        "S0L { axiom F; F -(1/2)-> F+F--F+F; F -(1/2)-> FFF; angle 60 }";
+    for (const char* statement :
+         {"dimension(G) = log (7/2) / log 3", "dimension(G) = 1", "dimension(G) <= 1.5",
+          "dimension(G) >= 1", "boundary(G) = log (7/2) / log 3", "boundary(G) = 1"}) {
+        CAPTURE(statement);
+        CHECK(truth(koch_or_line, statement) == Truth::undecided);
+    }
+    CHECK(last_sentence(koch_or_line, "dimension(G) = 1") ==
+          "The rules of G give no formula for the dimension.");
+}
+
 TEST_CASE("a dimension that is not found in time is undecided, which says nothing of the rules") {
     Budget over;
     over.deadline = std::chrono::steady_clock::now();

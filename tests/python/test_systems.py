@@ -185,6 +185,14 @@ def test_realise():
         algae.realise([1, 0, 5])
 
 
+def test_dimension_of_a_random_set():
+    found = LSystem("axiom F\nF -(1/2)-> F+F--F+F\nF -(1/2)-> FFF\nangle 60\n").dimension()
+    assert found.is_exact and found.almost_surely
+    assert found.formula == "log (7/2) / log 3"
+    assert found._repr_latex_().startswith(r"$\dim \overset{\text{a.s.}}{=} ")
+    assert not LSystem("koch").dimension().almost_surely
+
+
 def test_dimension():
     found = LSystem("dragon").dimension()
     assert found.is_exact and found.rational == 2 and float(found) == 2.0

@@ -123,6 +123,16 @@ DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
 Rate rate_of_paths(const std::vector<Integer>& start, const GrowthMatrix& matrix,
                    const Budget& budget);
 
+/// The rate divided by a whole number above 0, if that is an algebraic integer.
+///
+/// Example: quotient(Rate(6), 3) == Rate(2)
+std::optional<Rate> quotient(const Rate& rate, const Integer& divisor);
+
+/// `exact_dimension` of a stochastic 0L system. Throws Error where its alternatives do not move the turtle in the same way, or
+/// no parts multiply.
+ExactDimension random_dimension(const Model& system, const S0L& rules, std::size_t most_ways,
+                                const Budget& budget);
+
 /// The cells of a tiling of the plane that a set touches.
 struct CellGrowth {
     /// At which those multiply that the set touches and does not cover: those of its boundary.

@@ -155,6 +155,11 @@ class Dimension:
         return self.status == "exact"
 
     @property
+    def almost_surely(self) -> bool:
+        """Whether chance has a part in the limit: then the dimension is so with probability 1."""
+        return self._found.almost_surely()
+
+    @property
     def formula(self) -> Optional[str]:
         """ "log 4 / log 3"; None where the rules give none."""
         return self._found.text()
@@ -203,7 +208,7 @@ class Dimension:
         formula = self._found.latex()
         if self.status == "upper bound" and self.n(1) == 2:  # the formula gives more
             return r"\dim \le 2"
-        relation = r"\dim \le" if self.status == "upper bound" else r"\dim ="
+        relation = r"\dim \le" if self.status == "upper bound" else r"\dim \overset{\text{a.s.}}{=}" if self.almost_surely else r"\dim ="
         if not formula:
             return r"\text{no formula of the dimension}"
         about = rf" \approx {self.n(12)}" if self.rational is None else ""

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#if __has_include(<sys/mman.h>)
+#include <sys/mman.h>
+#endif
 
 #include "render/detail/document.hpp"
 #include "render/detail/figure_text.hpp"
@@ -99,7 +102,17 @@ namespace {
 
 /// How many strokes a block has at least that is kept as text: its first step is worked out each time.
 constexpr std::size_t strokes_of_kept = 8;
-constexpr std::size_t piece_size = std::size_t{1} << 18;  // bytes of text in one piece
+constexpr std::size_t piece_size = std::size_t{1} << 23;  // bytes of text in one piece
+
+/// Room for a piece, in large pages where the system has them: a long text takes a fifth of its time to get small ones.
+void reserve_piece(std::string& text) {
+    text.reserve(piece_size);
+#ifdef MADV_HUGEPAGE
+    constexpr std::uintptr_t page = 4096;
+    char* const begin = text.data() + (page - reinterpret_cast<std::uintptr_t>(text.data()) % page);
+    madvise(begin, piece_size - page, MADV_HUGEPAGE);  // a wish: nothing depends on it
+#endif
+}
 
 /// Writes strokes as steps as they come, in whole numbers of a unit.
 class StepCanvas final : public BlockCanvas {
@@ -323,14 +336,14 @@ private:
             return;
         }
         text_ = &runs_.back().steps.emplace_back();
-        text_->reserve(piece_size);
+        reserve_piece(*text_);
     }
     /// A figure that sends a block keeps its style: what stands before its strokes is known.
     void begin_streaming() {
         if (runs_.size() != 1) return;
         is_streaming_ = true;
         stream_->begin(runs_.front().style);
-        text_->reserve(piece_size);
+        reserve_piece(*text_);
     }
     static void put_step(std::string& out, char kind, long long x, long long y) {
         if (kind == 'm' || (x != 0 && y != 0) || (x == 0 && y == 0)) {

@@ -660,6 +660,13 @@ struct LatticeSet {
 /// do not lie in a lattice of the plane, BoundReached where coordinates need too many digits.
 LatticeSet lattice_set(const RecurrentSet& set, const Budget& budget = {});
 
+/// The dimension of the topological boundary of a set of a lattice of rank 2 that has inner points: log r / log |M|, with r the rate
+/// at which the cells multiply that it touches and does not cover (`lattice_cells.cpp`). Nothing where it has none.
+///
+/// Throws Error for the rank 3 and where M is no similarity, BoundReached beyond `most` kinds of cells.
+std::optional<LogRatio> boundary_dimension(const LatticeSet& set, const Budget& budget = {},
+                                           std::size_t most = 50'000);
+
 /// What is known of a set as a tile.
 struct Tile {
     enum class Answer { yes, no, undecided };

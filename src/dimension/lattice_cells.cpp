@@ -787,6 +787,21 @@ CellGrowth cell_growth(const LatticeSet& set, CellQuestion question, const Budge
     return CellCensus(set, budget, most).growth(question);
 }
 
+std::optional<LogRatio> boundary_dimension(const LatticeSet& set, const Budget& budget,
+                                           std::size_t most) {
+    constexpr double rounding = 1e-9;
+    const auto& [a, b, c, d] = set.linear;
+    const double size = std::hypot(a, c);
+    const auto differ = [&](double x, double y) { return std::fabs(x - y) > rounding * size; };
+    if (set.rank != 2) throw Error("the lattice lies densely in the plane");
+    if ((differ(a, d) || differ(b, -c)) && (differ(a, -d) || differ(b, c)))
+        throw Error("the whole is not similar to what it is made of");
+    const CellGrowth cells = cell_growth(set, CellQuestion::boundary, budget, most);
+    if (!cells.has_interior) return std::nullopt;
+    return LogRatio(cells.boundary,
+                    ScalingRatio::square_root(Integer(std::abs(set.determinant()))));
+}
+
 CellGrowth cell_growth(const RecurrentSet& set, const Budget& budget, std::size_t most) {
     return cell_growth(lattice_set(set, budget), CellQuestion::boundary, budget, most);
 }

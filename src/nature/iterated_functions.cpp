@@ -171,7 +171,19 @@ GeneratorFigure IteratedFunctions::measured_figure(const Budget& budget) const {
 
 std::optional<ExactDimension> IteratedFunctions::exact_dimension(const Budget& budget) const {
     if (auto carpet = carpet_dimension(*this)) return carpet;
-    return similarity_dimension(*this, budget);
+    ExactDimension found = similarity_dimension(*this, budget);
+    if (found.status != ExactDimension::Status::exact || found.value->rational() != Rational(2))
+        return found;
+    try {
+        if (auto boundary = boundary_dimension(lattice_set(*this, budget), budget))
+            found.boundary = std::move(*boundary);
+    } catch (const BoundReached& bound) {
+        if (is_of_budget(bound.bound())) throw;
+        found.conditions.push_back(std::string("the boundary is not known: ") + bound.what());
+    } catch (const Error& reason) {
+        found.conditions.push_back(std::string("the boundary is not known: ") + reason.what());
+    }
+    return found;
 }
 
 std::optional<std::vector<double>> IteratedFunctions::exact_spectrum(std::span<const double> orders,

@@ -71,6 +71,11 @@ const Curve curves[] = {
     {"axiom X; X -> F[+X]F[-X]+X; F -> FF; angle 20", 8, false},                 // plant
 };
 
+ExactDimension functions_of(const std::string& maps) {
+    const auto read = read_generator(maps, "maps.ifs");
+    return dynamic_cast<const IteratedFunctions&>(*read).exact_dimension({}).value();
+}
+
 }  // namespace
 
 TEST_CASE("the attractor of a curve's functions is near its late generations") {
@@ -127,6 +132,41 @@ TEST_CASE("the similarity dimension of a curve's functions is the curve's exact 
         if (exact.status == ExactDimension::Status::exact)
             CHECK(mine.value->text() == exact.value->text());
     }
+}
+
+TEST_CASE("the boundary of an attractor is that of the curve whose functions they are") {
+    // The curve's by the ways in which its parts meet, the attractor's by the cells that it does not cover.
+    const std::pair<const char*, const char*> known[] = {
+        {"axiom F; F -> F+G; G -> F-G; angle 90", "1.523627086"},
+        {"axiom F; F -> F+F-F; angle 120", "1.261859507"},
+        {"axiom A; A -> A-B--B+A++AA+B-; B -> +A-BB--B-A++A+B; angle 60; interpret A -> F; "
+         "interpret B -> F",
+         "1.129150068"},
+        {"axiom F; F -> F+F-F-FF+F+F-F+F; angle 90", nullptr},
+        {"axiom F; F -> +F--F+; angle 45", "1.934007183"},
+    };
+    std::size_t compared = 0;
+    for (const auto& [text, value] : known) {
+        INFO(text);
+        const ExactDimension exact = exact_dimension(read_lsystem(text, "curve.lsys"));
+        const auto read =
+            read_generator(converted(text, "curve.lsys", "lsys", "ifs", {}), "curve.ifs");
+        const auto mine = dynamic_cast<const IteratedFunctions&>(*read).exact_dimension({});
+        REQUIRE(mine);
+        REQUIRE(mine->value);
+        CHECK(mine->boundary.has_value() == exact.boundary.has_value());
+        if (!mine->boundary || !exact.boundary) continue;
+        CHECK(mine->boundary->decimal(20) == exact.boundary->decimal(20));
+        if (value) CHECK(mine->boundary->decimal(9) == value);
+        ++compared;
+    }
+    CHECK(compared >= 4);
+    MESSAGE(compared << " boundaries");
+    const auto square = functions_of(
+        "similarity 1/2 0 0 0\nsimilarity 1/2 0 1/2 0\nsimilarity 1/2 0 0 1/2\n"
+        "similarity 1/2 0 1/2 1/2\n");
+    CHECK(square.boundary->text() == "log 2 / log 2 = 1");
+    CHECK(!functions_of("similarity 1/2 0 0 0\nsimilarity 1/2 0 1/2 0\n").boundary);
 }
 
 TEST_CASE("the functions of curves are exact where those of the curves are") {

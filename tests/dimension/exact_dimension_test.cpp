@@ -184,3 +184,11 @@ TEST_CASE("work on the exact dimension stops when it is asked to") {
         exact_dimension(read_lsystem("axiom F; F -> FF-F+F-F-FF; angle 90", ""), budget),
         Interrupted);
 }
+
+TEST_CASE("plant f at right angles: parts in 8,301 kinds of surroundings") {
+    const ExactDimension found =
+        exact_dimension(read_lsystem("axiom X; X -> F-[[X]+X]+F[+FX]-X; F -> FF; angle 90", ""));
+    REQUIRE(found.status == ExactDimension::Status::exact);
+    CHECK(found.value->decimal(20) == "1.90932482738044322492");
+    CHECK(found.value->log_ratio()->rate().degree() == 66);
+}

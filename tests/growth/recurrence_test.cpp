@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <map>
+
 #include "growth/counted.hpp"
 #include "growth/growth.hpp"
 
@@ -112,6 +114,37 @@ TEST_CASE("what annihilates the letter counts annihilates them all, and nothing 
         rows.pop_back();
         RC_ASSERT(rank(IntegerMatrix(rows)) == rows.size());
     }));
+}
+
+TEST_CASE("states that nothing tells apart change no recurrence") {
+    std::size_t larger = 0;
+    CHECK(rc::check([&] {
+        const D0L system = any_small_system();
+        const GrowthMatrix matrix = growth_matrix(system);
+        const std::vector<Integer> counts = axiom_counts(system), ones(matrix.size(), 1);
+        // Each state several times; what leads to it leads to any of them.
+        const auto copies = *rc::gen::inRange<std::size_t>(1, 5);
+        const auto any_copy = [&](std::size_t state) {
+            return state * copies + *rc::gen::inRange<std::size_t>(0, copies);
+        };
+        GrowthMatrix blown;
+        std::vector<Integer> row(matrix.size() * copies);
+        for (std::size_t i = 0; i < matrix.size(); ++i) {
+            for (std::size_t copy = 0; copy < copies; ++copy) {
+                std::map<std::size_t, Integer> entries;
+                for (const auto& [column, times] : matrix.rows[i])
+                    for (Integer left = times; !left.is_zero(); left -= 1)
+                        entries[any_copy(column)] += 1;
+                auto& into = blown.rows.emplace_back();
+                for (const auto& [column, times] : entries) into.push_back({column, times});
+            }
+            row[any_copy(i)] += counts[i];
+        }
+        larger += copies > 1 ? 1 : 0;
+        RC_ASSERT(annihilator(row, blown, std::vector<Integer>(row.size(), 1)) ==
+                  annihilator(counts, matrix, ones));
+    }));
+    CHECK(larger > 50);
 }
 
 TEST_CASE("primes and inverses") {

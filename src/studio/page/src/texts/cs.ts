@@ -117,6 +117,7 @@ export const cs: Texts = {
   example: 'příklad',
   measuring: 'Počítají se čtverce…',
   exact: 'Přesná dimenze',
+  almostSurely: 's pravděpodobností 1',
   measured: 'Naměřeno',
   system: 'systém',
   boxSides: 'největší strana / strana čtverce',

@@ -115,6 +115,7 @@ export const en = {
   example: 'example',
   measuring: 'Counting boxes…',
   exact: 'Exact dimension',
+  almostSurely: 'with probability 1',
   measured: 'Measured',
   system: 'the system',
   boxSides: 'coarsest side / side of a box',

@@ -117,6 +117,7 @@ export const pt: Texts = {
   example: 'exemplo',
   measuring: 'A contar caixas…',
   exact: 'Dimensão exata',
+  almostSurely: 'com probabilidade 1',
   measured: 'Medida',
   system: 'o sistema',
   boxSides: 'lado maior / lado de uma caixa',

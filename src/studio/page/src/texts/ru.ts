@@ -118,6 +118,7 @@ export const ru: Texts = {
   example: 'пример',
   measuring: 'Считаются клетки…',
   exact: 'Точная размерность',
+  almostSurely: 'с вероятностью 1',
   measured: 'Измерено',
   system: 'система',
   boxSides: 'наибольшая сторона / сторона клетки',

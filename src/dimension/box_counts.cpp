@@ -192,6 +192,7 @@ void TouchedCells::outside(Point point) const {
 }
 
 void BoxCounter::block(const StrokeBlock& block, Point from) {
+    if (block.strokes.empty()) return;
     if (lifted_ && !block.strokes.front().lifted)
         for (TouchedCells& grid : grids_) grid.start(here_);
     for (TouchedCells& grid : grids_) grid.follow(block.strokes, from);

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#if __has_include(<sys/mman.h>)
-#include <sys/mman.h>
-#endif
 
 #include "render/detail/document.hpp"
 #include "render/detail/figure_text.hpp"
@@ -102,17 +99,7 @@ namespace {
 
 /// How many strokes a block has at least that is kept as text: its first step is worked out each time.
 constexpr std::size_t strokes_of_kept = 8;
-constexpr std::size_t piece_size = std::size_t{1} << 23;  // bytes of text in one piece
-
-/// Room for a piece, in large pages where the system has them: a long text takes a fifth of its time to get small ones.
-void reserve_piece(std::string& text) {
-    text.reserve(piece_size);
-#ifdef MADV_HUGEPAGE
-    constexpr std::uintptr_t page = 4096;
-    char* const begin = text.data() + (page - reinterpret_cast<std::uintptr_t>(text.data()) % page);
-    madvise(begin, piece_size - page, MADV_HUGEPAGE);  // a wish: nothing depends on it
-#endif
-}
+constexpr std::size_t piece_size = std::size_t{1} << 18;  // bytes of text in one piece
 
 /// Writes strokes as steps as they come, in whole numbers of a unit.
 class StepCanvas final : public BlockCanvas {
@@ -139,6 +126,7 @@ public:
         if (++strokes % 65536 == 0) check();
     }
     void block(const StrokeBlock& block, Point from) override {
+        keeps_style_ = true;
         if (block.strokes.size() < strokes_of_kept) {
             for (const StrokeBlock::Stroke& stroke : block.strokes) {
                 const Point to{from.x + stroke.to.x, from.y + stroke.to.y};
@@ -158,7 +146,6 @@ public:
             set_down();
             step('l', first);
         }
-        if (stream_ && !is_streaming_) begin_streaming();
         make_room(text.rest.size());
         settled_text() += text.rest;
         here_ = {start.x + text.last.x, start.y + text.last.y};
@@ -328,6 +315,7 @@ private:
     }
     /// Long texts are kept in pieces, so that they are not copied as they grow.
     void make_room(std::size_t bytes) {
+        if (stream_ && keeps_style_ && !is_streaming_) begin_streaming();
         if (text_->size() + bytes <= piece_size || text_->size() < piece_size / 2) return;
         settled_text();
         if (is_streaming_) {
@@ -336,14 +324,14 @@ private:
             return;
         }
         text_ = &runs_.back().steps.emplace_back();
-        reserve_piece(*text_);
+        text_->reserve(piece_size);
     }
-    /// A figure that sends a block keeps its style: what stands before its strokes is known.
+    /// A figure that sends a block, if only an empty one, keeps its style: what stands before its strokes is known.
     void begin_streaming() {
         if (runs_.size() != 1) return;
         is_streaming_ = true;
         stream_->begin(runs_.front().style);
-        reserve_piece(*text_);
+        text_->reserve(piece_size);
     }
     static void put_step(std::string& out, char kind, long long x, long long y) {
         if (kind == 'm' || (x != 0 && y != 0) || (x == 0 && y == 0)) {
@@ -374,7 +362,7 @@ private:
     const Palette& palette_;
     const Budget& budget_;
     const SvgStream* stream_;
-    bool is_streaming_ = false;
+    bool keeps_style_ = false, is_streaming_ = false;
     const Frame frame_;  // to units
     double line_width_, scale_, width_;
     FigurePaths& styles_;

@@ -463,8 +463,14 @@ public:
         if (resolution > 0 && is_foldable() && !has_polygons())
             draw_pieces(canvas, resolution, budget);
         else if (!is_foldable() || !draw_lattice_blocks(rules_, fates_, steps_, commands_, compass_,
-                                                        pen_, canvas, budget))
+                                                        pen_, canvas, budget)) {
+            // An empty block tells a canvas that the strokes keep their style.
+            if (auto* const blocks = keeps_style() && !canvas.wants_position()
+                                         ? dynamic_cast<BlockCanvas*>(&canvas)
+                                         : nullptr)
+                blocks->block({}, pen_.start);
             draw_letters(canvas, budget);
+        }
     }
 
 private:
@@ -499,6 +505,11 @@ private:
 
     bool has_polygons() const {
         return commands_.uses(Command::open_polygon) || commands_.uses(Command::close_polygon);
+    }
+
+    bool keeps_style() const {
+        return !has_polygons() && !commands_.uses(Command::narrow) &&
+               !commands_.uses(Command::next_colour);
     }
 
     void count_segments(const Budget& budget) {

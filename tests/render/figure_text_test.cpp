@@ -324,11 +324,14 @@ TEST_CASE(
             void move_to(Point) override {}
             void line_to(Point) override {}
             void polygon(std::span<const Point>) override {}
-            void block(const StrokeBlock&, Point) override { ++blocks; }
-            std::size_t blocks = 0;
+            void block(const StrokeBlock& block, Point) override {
+                ++(block.strokes.empty() ? promises : blocks);
+            }
+            std::size_t blocks = 0, promises = 0;  // an empty one says that the style is kept
         } fast;
         figure->draw(fast, 0, Budget{});
         with_blocks += fast.blocks > 0 ? 1 : 0;
+        CHECK(fast.promises == (fast.blocks > 0 ? 0 : 1));
 
         FigureTextDrawn drawn;
         const auto lines = svg_lines(written_svg(*figure, drawn));

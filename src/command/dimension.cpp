@@ -240,7 +240,9 @@ DimensionRow row_of(const Entry& entry, const Options& options, const Budget& bu
     if (row.unfinished && !row.exact.value) row.unmeasured = row.exact.conditions.back();
     if (!row.exact.value || options.quick) return row;
     if (!row.exact.limit) {
-        row.unmeasured = "the rules do not lead to similar parts of one size";
+        row.unmeasured = row.exact.almost_surely
+                             ? "chance has a part in it"
+                             : "the rules do not lead to similar parts of one size";
         return row;
     }
     LimitCounting counting;
@@ -515,6 +517,11 @@ DimensionReport bounded(const Model& system, const Options& options, const Budge
         if (!is_time(bound)) throw;
         exact = dimension_bound(system, budget);
     }
+    if (exact.almost_surely)
+        throw Error(
+            "--within: chance has a part in what " + options.file +
+            " draws, and no bounds hold for all that it may be; without --within the dimension "
+            "with probability 1 is printed");
     DimensionBounds bounds;
     if (exact.status == ExactDimension::Status::exact) {
         const Ball value = exact.value->enclosure(96);

@@ -520,7 +520,8 @@ private:
         const ExactDimension exact = exact_dimension(system, budget_);
         if (exact.status != ExactDimension::Status::exact)
             throw Error("the rules of " + name + " give no exact dimension");
-        return "\\ensuremath{" + formula_latex(exact.value->text()) + "}\n";
+        return "\\ensuremath{" + formula_latex(exact.value->text()) + "}" +
+               (exact.almost_surely ? " almost surely\n" : "\n");
     }
 
     /// The word that `derive` prints, as mathematics.

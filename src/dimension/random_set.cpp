@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tuple>
 
 #include "dimension/detail/recurrent_set.hpp"
 #include "model/model.hpp"
@@ -6,8 +7,10 @@
 
 // The dimension of the limit of a stochastic 0L system: a random recursive set.
 //
-// Where every alternative of a letter moves the turtle in the same way, parts lie where they lie whatever
-// other letters become, and each is made of parts that are similar to it by the same factor |mu|. Let M
+// Where every alternative of a letter moves and turns the turtle in the same way in every generation, parts lie where they
+// lie whatever other letters become, and each is made of parts that are similar to it by the same factor |mu|. In the limit
+// alone that would not do: what is little at first and different by chance may grow. Turns become periodic and ways obey a
+// linear recurrence, so finitely many generations show it for all (Cayley and Hamilton). Let M
 // be the matrix of the expected numbers of parts of each piece. Then with probability 1 the dimension of
 // Hausdorff and that of boxes is log E / log |mu|, with E the spectral radius of M, if the parts that occur
 // together do not overlap too much (Mauldin and Williams, Random recursive constructions: asymptotic
@@ -37,11 +40,24 @@ struct Alternative {
     Rational probability;
 };
 
+/// Whether brackets match within the word.
+bool is_balanced(const Alphabet& alphabet, const Word& word) {
+    const auto open = alphabet.find("["), close = alphabet.find("]");
+    std::size_t depth = 0;
+    for (const Symbol a : word) {
+        if (a == open) ++depth;
+        if (a == close && depth-- == 0) return false;
+    }
+    return depth == 0;
+}
+
 std::vector<std::vector<Alternative>> alternatives_of(const S0L& rules) {
     std::vector<std::vector<Alternative>> found(rules.alternatives.size());
     for (std::size_t a = 0; a < found.size(); ++a)
         for (const auto& [word, probability] : rules.alternatives[a]) {
             if (probability == Rational(0)) continue;
+            if (word != Word{static_cast<Symbol>(a)} && !is_balanced(*rules.alphabet, word))
+                throw Error("brackets do not match within every successor");
             const auto same = std::ranges::find(found[a], word, &Alternative::word);
             if (same == found[a].end())
                 found[a].push_back({word, probability});
@@ -79,20 +95,87 @@ Together together(const Model& system, const S0L& rules,
     return {std::move(all), std::move(joined)};
 }
 
+/// Whether all alternatives of each letter lead to the same place, with the same heading, in every generation. Throws Error where they
+/// do not, or where that would take too long to see.
+void check_ways(const Together& all, const std::vector<std::vector<Alternative>>& alternatives,
+                const Unfolding& unfolding, const Budget& budget) {
+    constexpr std::uint64_t most_levels = 20'000;
+    const Compass compass(all.system.drawing, 0);
+    const Commands commands(all.system, all.rules.letters);
+    const LatticeMotions motions(unfolding.order, false);
+    const CyclotomicRing& ring = motions.ring();
+    const auto brackets = *all.rules.brackets;
+    struct Way {
+        CyclotomicInteger move;
+        std::int64_t turn = 0;
+        bool operator==(const Way&) const = default;
+    };
+    std::vector<Way> now(all.system.alphabet.size(), Way{ring.zero()});
+    for (const Symbol a : unfolding.letters) {
+        const auto motion = product(motions, commands.of(a), [&](Command command) {
+            return motions.of(command, compass, compass.order() / unfolding.order);
+        });
+        now[a] = {motion.move, motion.turn};
+    }
+    const auto walked = [&](const Word& word) {
+        Way way{ring.zero()};
+        std::vector<Way> saved;
+        for (const Symbol b : word) {
+            if (b == brackets.open) {
+                saved.push_back(way);
+            } else if (b == brackets.close) {
+                way = std::move(saved.back());
+                saved.pop_back();
+            } else {
+                ring.add_rotated(way.move, now[b].move, way.turn);
+                way.turn = normal_heading(way.turn + now[b].turn, unfolding.order);
+            }
+        }
+        return way;
+    };
+    const std::uint64_t dimension = unfolding.letters.size() * ring.degree();
+    const std::uint64_t levels = unfolding.preperiod + unfolding.phases * (dimension + 1);
+    if (levels > most_levels)
+        throw Error("whether alternatives end at the same place would take " +
+                    std::to_string(levels) + " generations to see, expected at most " +
+                    std::to_string(most_levels));
+    for (std::uint64_t level = 0; level < levels; ++level) {
+        std::vector<Way> next = now;
+        for (const Symbol a : unfolding.letters) {
+            budget.check();
+            next[a] = walked(alternatives[a].front().word);
+            for (const Alternative& one : alternatives[a])
+                if (walked(one.word) != next[a])
+                    throw Error("the alternatives of " + all.system.alphabet.name(a) +
+                                " do not all end at the same place with the same heading");
+        }
+        now = std::move(next);
+    }
+}
+
 /// The parts of each alternative of each piece.
 class RandomSet {
 public:
     using Choices = std::vector<std::vector<Part>>;
 
-    /// Throws Error where alternatives move the turtle in different ways.
     RandomSet(const Together& all, const std::vector<std::vector<Alternative>>& alternatives,
               const Budget& budget)
-        : set_(all.system, all.rules, budget), rules_(all.rules), alternatives_(alternatives) {
-        for (std::size_t p = 0; p < set_.size(); ++p) choices_.push_back(choices_of(p));
+        : set_(all.system, all.rules, budget), alternatives_(alternatives) {
+        for (std::size_t p = 0; p < set_.size(); ++p) {
+            choices_.push_back(choices_of(p));
+            auto& parts = different_.emplace_back(set_.parts(p));
+            const auto key = [](const Part& part) {
+                return std::tie(part.piece, part.heading, part.offset);
+            };
+            std::ranges::sort(parts, {}, key);
+            parts.erase(std::ranges::unique(parts).begin(), parts.end());
+        }
     }
 
     const RecurrentSet& all() const { return set_; }
     const Choices& choices(std::size_t piece) const { return choices_[piece]; }
+    /// The parts of all alternatives, those that several have once.
+    const std::vector<Part>& different_parts(std::size_t piece) const { return different_[piece]; }
     const std::vector<Alternative>& alternatives(std::size_t piece) const {
         const auto& letters = set_.unfolding().letters;
         return alternatives_[letters[piece % letters.size()]];
@@ -109,7 +192,6 @@ private:
         for (const Alternative& one : own) {
             const bool fenced = &one != &own.back();
             item += fenced ? 1 : 0;
-            check_way(piece, items, item, one.word.size());
             std::vector<Part>& here = found.emplace_back();
             for (std::size_t i = 0; i < one.word.size(); ++i, ++item)
                 if (items[item].kind == Kind::piece && !set_.parts(items[item].piece).empty() &&
@@ -120,34 +202,10 @@ private:
         return found;
     }
 
-    /// Whether these items lead where the whole leads.
-    void check_way(std::size_t piece, const std::vector<Unfolding::Item>& items, std::size_t first,
-                   std::size_t count) const {
-        const Unfolding& unfolding = set_.unfolding();
-        const Displacement& displacement = set_.displacement();
-        Displacement::Vector way = displacement.zero();
-        std::int64_t heading = 0;
-        std::size_t depth = 0;
-        for (std::size_t i = first; i < first + count; ++i) {
-            if (items[i].kind == Kind::push) ++depth;
-            if (items[i].kind == Kind::pop) --depth;
-            if (items[i].kind != Kind::piece || depth > 0) continue;
-            displacement.add(
-                way, displacement.turned(displacement.way(items[i].piece), items[i].heading));
-            heading = items[i].heading + unfolding.turns[items[i].piece];
-        }
-        if (normal_heading(heading, set_.order()) !=
-                normal_heading(unfolding.turns[piece], set_.order()) ||
-            way != displacement.scaled(displacement.way(piece)))
-            throw Error("the alternatives of " +
-                        rules_.alphabet->name(unfolding.letters[piece % unfolding.letters.size()]) +
-                        " do not all end at the same place with the same heading");
-    }
-
     RecurrentSet set_;
-    const D0L& rules_;
     const std::vector<std::vector<Alternative>>& alternatives_;
     std::vector<Choices> choices_;
+    std::vector<std::vector<Part>> different_;
 };
 
 /// The expected numbers of parts of each piece, times a whole number that makes them whole.
@@ -202,7 +260,9 @@ std::optional<std::size_t> ways_together(const RandomSet& random, std::size_t co
     std::map<std::pair<std::size_t, Placement>, bool> seen;
     std::vector<std::pair<std::size_t, Placement>> open;
     bool coincide = false;
+    std::size_t looks = 0;
     const auto meet = [&](const Placement& first, const Placement& second) {
+        if (++looks % 1024 == 0) budget.check();
         const Placement other = seen_from(set, first, second);
         if (!may_meet(set, first.piece, other)) return;
         coincide = coincide || other == Placement{first.piece, 0, set.displacement().zero()};
@@ -223,8 +283,9 @@ std::optional<std::size_t> ways_together(const RandomSet& random, std::size_t co
         budget.check();
         done.at(k);
         const auto [piece, other] = open[k];
-        const auto first = placed_parts(set.parts(piece), {piece, 0, set.displacement().zero()});
-        const auto second = placed_parts(set.parts(other.piece), other);
+        const auto first =
+            placed_parts(random.different_parts(piece), {piece, 0, set.displacement().zero()});
+        const auto second = placed_parts(random.different_parts(other.piece), other);
         for (const Placement& x : first)
             for (const Placement& y : second) meet(x, y);
     }
@@ -238,17 +299,24 @@ ExactDimension random_dimension(const Model& system, const S0L& rules, std::size
     const auto alternatives = alternatives_of(rules);
     const Together all = together(system, rules, alternatives);
     const RandomSet random(all, alternatives, budget);
+    check_ways(all, alternatives, random.all().unfolding(), budget);
     const RecurrentSet& set = random.all();
     const ExpectedParts expected = expected_parts(random);
     const Components parts = components(expected.matrix, budget);
+    // Parts in one place are different ones where chance has a part in them, so points count too.
+    const auto lies_in_one_place = [&](std::size_t k) {
+        const auto& component_of = set.components().of_letter;
+        return is_point(set, set.components().list[component_of[parts.list[k].letters.front()]]);
+    };
     std::optional<std::size_t> largest;
     for (std::size_t k = 0; k < parts.list.size(); ++k) {
         const auto& rate = parts.list[k].rate;
-        const std::size_t in_all = set.components().of_letter[parts.list[k].letters.front()];
-        if (rate && *rate > Rate(expected.scale) && set.is_reached(parts.list[k].letters.front()) &&
-            !is_point(set, set.components().list[in_all]) &&
-            (!largest || *rate > *parts.list[*largest].rate))
-            largest = k;
+        if (!rate || !(*rate > Rate(expected.scale)) ||
+            !set.is_reached(parts.list[k].letters.front()))
+            continue;
+        const auto order =
+            largest ? *rate <=> *parts.list[*largest].rate : std::strong_ordering::greater;
+        if (order > 0 || (order == 0 && lies_in_one_place(*largest))) largest = k;
     }
     if (!largest) throw Error("no parts that are drawn multiply on average");
 
@@ -263,6 +331,10 @@ ExactDimension random_dimension(const Model& system, const S0L& rules, std::size
     found.conditions.push_back("on average parts multiply by " + formula.average());
     if (ways == 0) {
         found.conditions.push_back("whether parts coincide has not been looked at");
+        return found;
+    }
+    if (lies_in_one_place(*largest)) {
+        found.conditions.push_back("the parts that multiply the fastest lie in one place");
         return found;
     }
     const std::size_t component = set.components().of_letter[parts.list[*largest].letters.front()];

@@ -77,7 +77,8 @@ struct Lumped {
 
 /// States that cannot be told apart by the column, however many steps are made, as one: the coarsest partition in which
 /// states of one class have the same entry of the column and, for each class, the same sum of entries of the matrix there (Kemeny
-/// and Snell, Finite Markov Chains, 1960, 6.3). Found by refinement, in at most `size` rounds of O(entries log entries).
+/// and Snell, Finite Markov Chains, 1960, 6.3). Found by refinement, in rounds of O(entries log entries); where it takes many of
+/// them, as in a long chain, the states stay as they are.
 Lumped lumped(const std::vector<Integer>& row, const GrowthMatrix& matrix,
               const std::vector<Integer>& column, const Budget& budget) {
     std::vector<std::size_t> of(matrix.size());  // the class of a state
@@ -93,7 +94,9 @@ Lumped lumped(const std::vector<Integer>& row, const GrowthMatrix& matrix,
             of[i] = numbers.try_emplace(column[i], numbers.size()).first->second;
         classes = numbers.size();
     }
-    for (;;) {
+    constexpr int most_rounds = 100;
+    for (int round = 0;; ++round) {
+        if (round == most_rounds) return {row, matrix, column};
         budget.check();
         std::map<std::pair<std::size_t, std::map<std::size_t, Integer>>, std::size_t> numbers;
         std::vector<std::size_t> next(of.size());

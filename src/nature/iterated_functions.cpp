@@ -178,7 +178,7 @@ std::optional<ExactDimension> IteratedFunctions::exact_dimension(const Budget& b
         if (auto boundary = boundary_dimension(lattice_set(*this, budget), budget))
             found.boundary = std::move(*boundary);
     } catch (const BoundReached& bound) {
-        if (is_of_budget(bound.bound())) throw;
+        if (bound.bound() == Bound::time) throw;
         found.conditions.push_back(std::string("the boundary is not known: ") + bound.what());
     } catch (const Error& reason) {
         found.conditions.push_back(std::string("the boundary is not known: ") + reason.what());

@@ -91,7 +91,9 @@ std::string comparison_text(const DimensionReport& found) {
     if (!exact) return "";
     std::string text =
         fmt::format("  error against the exact value: {:+.4f}", found.fit.estimate->value - *exact);
-    if (!holds(*found.fit.estimate, *exact))
+    if (found.exact->almost_surely)
+        text += ", of one figure of many";
+    else if (!holds(*found.fit.estimate, *exact))
         text += "; the interval does not hold it: the measurement is wrong, not the exact value";
     return text + "\n";
 }
@@ -156,13 +158,13 @@ std::string exact_page(const ExactDimension& exact) {
         return what + formula + (dimension.rational() ? "" : " = " + dimension.decimal(digits)) +
                "\n";
     };
-    if (exact.status == ExactDimension::Status::exact)
-        text += line(exact.almost_surely ? "exact, with probability 1: " : "exact: ", *exact.value);
+    const std::string surely = exact.almost_surely ? ", with probability 1: " : ": ";
+    if (exact.status == ExactDimension::Status::exact) text += line("exact" + surely, *exact.value);
     if (exact.status == ExactDimension::Status::upper_bound)
         text += exceeds_plane(exact)
                     ? line("upper bound: 2, as for every set in the plane; the formula gives ",
                            *exact.value)
-                    : line("upper bound: ", *exact.value);
+                    : line("upper bound" + surely, *exact.value);
     if (exact.status == ExactDimension::Status::unfinished)
         text += exceeds_plane(exact)
                     ? line("exact: unfinished, at most 2; the formula gives ", *exact.value)
@@ -572,6 +574,7 @@ std::string to_line(const DimensionRow& row, std::size_t width) {
         text += "  undecided: " + shortened(row.unmeasured);
     }
     text = text.substr(0, text.find_last_not_of(' ') + 1);
+    if (row.exact.almost_surely) text += "  with probability 1";
     if (row.exact.status == Found::unfinished && row.unmeasured.empty())
         text += "  " + shortened(row.exact.conditions.back());
     return text + "\n";

@@ -367,7 +367,10 @@ std::string to_latex(const DimensionReport& report) {
                          *exact.value) +
                     conditions() + ".\n";
         else if (exact.status == ExactDimension::Status::upper_bound)
-            text += line("The dimension is at most", *exact.value) + conditions() + ".\n";
+            text += line(exact.almost_surely ? "With probability $1$ the dimension is at most"
+                                             : "The dimension is at most",
+                         *exact.value) +
+                    conditions() + ".\n";
         else
             text += "The rules give no formula for the dimension" + conditions() + ".\n";
         if (exact.boundary) text += line("The boundary has dimension", *exact.boundary) + ".\n";
@@ -392,8 +395,10 @@ std::string to_latex(const std::vector<DimensionRow>& rows) {
         const std::string bound =
             exact.status == ExactDimension::Status::upper_bound ? "\\le " : "";
         text += "  " + escaped_latex(one.title.empty() ? one.name : one.title) + " & " +
-                (known ? "$" + bound + formula_latex(exact.value->text()) + "$" : "---") + " & " +
-                (known ? "$" + exact.value->decimal(5) + "$" : "") + " & " +
+                (known ? "$" + bound + formula_latex(exact.value->text()) + "$" +
+                             (exact.almost_surely ? ", almost surely" : "")
+                       : "---") +
+                " & " + (known ? "$" + exact.value->decimal(5) + "$" : "") + " & " +
                 (exact.boundary ? "$" + exact.boundary->decimal(5) + "$" : "") + " \\\\\n";
     }
     return text + "\\end{tabular}\n";

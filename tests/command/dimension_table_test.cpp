@@ -88,20 +88,21 @@ TEST_CASE("curves that the time does not suffice for are unfinished, and not wit
 
 TEST_CASE("a search that takes long leaves its bound in the table, and time for the others") {
     const Scratch scratch;
-    // X -> ... at 90 degrees: a search of minutes.
-    scratch.file("a-plant.lsys", "axiom X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\nangle 90\n");
+    // Plant c at 60 degrees: a search of half a minute.
+    scratch.file("a-plant.lsys", "axiom F\nF -> FF-[-F+F+F]+[+F-F-F]\nangle 60\n");
     scratch.file("koch.lsys", koch);
     const std::string folder = "'" + scratch.path().string() + "'";
-    const Run listed = run("dimension --table " + folder + " --quick --json --timeout 6");
+    const Run listed = run("dimension --table " + folder + " --quick --json --timeout 4");
     CHECK(listed.status == 3);
     const json found = json::parse(listed.out);
     REQUIRE(found.size() == 2);
     CHECK(found[0]["exact"]["status"] == "unfinished");
-    CHECK(found[0]["exact"]["at_most"]["formula"] == "log 4 / log 2 = 2");
+    CHECK(found[0]["exact"]["at_most"]["formula"] == "log 8 / log 2 = 3");
+    CHECK(found[0]["exact"]["at_most"]["value"] == 2);
     CHECK(found[0]["exact"]["conditions"].dump().find("whether parts coincide is not known") !=
           std::string::npos);
     CHECK(found[1]["exact"]["formula"] == "log 4 / log 3");
-    const Run shown = run("dimension --table " + folder + " --quick --timeout 6");
+    const Run shown = run("dimension --table " + folder + " --quick --timeout 4");
     CHECK(shown.status == 3);
     const std::size_t unfinished = shown.out.find("\nunfinished:\na-plant ");
     REQUIRE(unfinished != std::string::npos);
@@ -112,7 +113,7 @@ TEST_CASE("a search that takes long leaves its bound in the table, and time for 
 TEST_CASE("rows of a table are there before the next ones are") {
     const Scratch scratch;
     scratch.file("a-koch.lsys", koch);
-    scratch.file("plant.lsys", "axiom X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\nangle 90\n");
+    scratch.file("plant.lsys", "axiom F\nF -> FF-[-F+F+F]+[+F-F-F]\nangle 60\n");
     const std::string command = "exec '" + built_command() + "' dimension --table '" +
                                 scratch.path().string() + "' --quick --json --timeout 20";
     FILE* pipe = popen(command.c_str(), "r");

@@ -70,23 +70,22 @@ TEST_CASE("a measurement in less time takes fewer cells, and is kept when the ti
 TEST_CASE("a search that takes long does not take the bound and the measurement with it") {
     const Scratch scratch;
     const std::string plant =
-        "'" + scratch.file("f.lsys", "axiom X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\nangle 90\n") + "'";
-    const Run over = run("dimension " + plant + " --grids 1 --timeout 20");
-    if (over.status == 3) {
-        CHECK(over.out.find("upper bound: log 4 / log 2 = 2\n") != std::string::npos);
-        CHECK(over.out.find("the search for parts that coincide goes on\n") != std::string::npos);
-        CHECK(over.out.find("exact: unfinished, at most log 4 / log 2 = 2\n") != std::string::npos);
-        CHECK(over.out.find("measured by boxes: 1.") != std::string::npos);
-    } else {
-        CHECK(over.out.find("exact: log") != std::string::npos);
-    }
+        "'" + scratch.file("c.lsys", "axiom F\nF -> FF-[-F+F+F]+[+F-F-F]\nangle 60\n") + "'";
+    const Run over = run("dimension " + plant + " --grids 1 --timeout 8");
+    CHECK(over.status == 3);
+    CHECK(over.out.find("upper bound: 2, as for every set in the plane; the formula gives log 8 / "
+                        "log 2 = 3\n") != std::string::npos);
+    CHECK(over.out.find("the search for parts that coincide goes on\n") != std::string::npos);
+    CHECK(over.out.find("exact: unfinished, at most 2; the formula gives log 8 / log 2 = 3\n") !=
+          std::string::npos);
+    CHECK(over.out.find("measured by boxes: 1.") != std::string::npos);
     const Run none = run("dimension " + plant + " --timeout 1 --json");
-    if (none.status == 3) {
-        const json found = json::parse(none.out);
-        CHECK(found["exact"]["status"] == "unfinished");
-        CHECK(found["exact"]["at_most"]["formula"] == "log 4 / log 2 = 2");
-        CHECK(found["exact"]["value"].is_null());
-    }
+    CHECK(none.status == 3);
+    const json found = json::parse(none.out);
+    CHECK(found["exact"]["status"] == "unfinished");
+    CHECK(found["exact"]["at_most"]["formula"] == "log 8 / log 2 = 3");
+    CHECK(found["exact"]["at_most"]["value"] == 2);
+    CHECK(found["exact"]["value"].is_null());
 }
 
 TEST_CASE(
@@ -386,4 +385,20 @@ TEST_CASE("dimension --tile says what it needs") {
           "algae: --rauzy goes without --tile\n");
     CHECK(run("dimension koch --grids 1 --tile --plot t.svg").err ==
           "algae: koch: --tile draws a tile, and this is not seen to be one\n");
+}
+
+TEST_CASE("a dimension that is so with probability 1 bounds no figure") {
+    const Scratch scratch;
+    const std::string file =
+        "'" +
+        scratch.file("random.lsys", "axiom F\nF -(1/2)-> F+F--F+F\nF -(1/2)-> FFF\nangle 60\n") +
+        "'";
+    const Run found = run("dimension " + file + " -n 4");
+    CHECK(found.out.find("exact, with probability 1: log (7/2) / log 3 = 1.14031399") !=
+          std::string::npos);
+    const Run within = run("dimension " + file + " --within 0.1");
+    CHECK(within.status == 2);
+    CHECK(within.err.find("chance has a part in what") != std::string::npos);
+    CHECK(run("dimension " + file + " -n 4 --latex").out.find("With probability $1$") !=
+          std::string::npos);
 }

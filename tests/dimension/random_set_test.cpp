@@ -70,13 +70,13 @@ std::string any_word() {
 TEST_CASE("random Koch curves have the dimension of the expected number of parts") {
     // Up or down: 4 parts whatever comes (Falconer, Random fractals, 1986).
     const ExactDimension either = of("axiom F; F -(1/2)-> F+F--F+F; F -(1/2)-> F-F++F-F; angle 60");
-    CHECK(either.status == ExactDimension::Status::exact);
+    REQUIRE(either.status == ExactDimension::Status::exact);
     CHECK(either.almost_surely);
     CHECK(either.value->text() == "log 4 / log 3");
     CHECK(!either.value->log_ratio());  // nothing takes it for that of one curve
     // A tooth or a line: 7/2 parts on average.
     const ExactDimension flat = of("axiom F; F -(1/2)-> F+F--F+F; F -(1/2)-> FFF; angle 60");
-    CHECK(flat.status == ExactDimension::Status::exact);
+    REQUIRE(flat.status == ExactDimension::Status::exact);
     CHECK(flat.value->text() == "log (7/2) / log 3");
     CHECK(flat.value->decimal(9) == "1.140313996");
     CHECK(!flat.value->rational());
@@ -103,13 +103,13 @@ TEST_CASE("random sets with branches, and with letters of several kinds") {
     }
     carpet += "; f -> fff";
     const ExactDimension found = of(carpet);
-    CHECK(found.status == ExactDimension::Status::exact);
+    REQUIRE(found.status == ExactDimension::Status::exact);
     CHECK(found.value->text() == "log 8 / log 3");
     // Expected numbers of parts whose rate is of degree 2: a -> 2a + b or 2a, b -> a and nothing else.
     const ExactDimension two =
         of("axiom a; a -(1/2)-> a+b--a+a; a -(1/2)-> aaa; b -> a+a--a+a; angle 60; "
            "interpret a -> F; interpret b -> F");
-    CHECK(two.status == ExactDimension::Status::exact);
+    REQUIRE(two.status == ExactDimension::Status::exact);
     CHECK(says(two, "on average parts multiply by (3+sqrt(17))/2"));
     CHECK(two.value->text() == "log ((3+sqrt(17))/2) / log 3");
 }
@@ -122,21 +122,21 @@ TEST_CASE("what is not known of a random set is said") {
         says(ends, "the alternatives of F do not all end at the same place with the same heading"));
     // The second part of one alternative may lie upon the third one.
     const ExactDimension twice = of("axiom F; F -(1/2)-> F[F]F; F -(1/2)-> FF; angle 90");
-    CHECK(twice.status == upper_bound);
+    REQUIRE(twice.status == upper_bound);
     CHECK(says(twice, "parts may coincide"));
     CHECK(twice.value->text() == "log (5/2) / log 2");
     // Percolation may come to an end.
     const ExactDimension may_die =
         of("axiom [S]f; f -> ff; angle 90; interpret S -> F; "
            "S -(3/4)-> [[S]f[S]-f[S]]ff; S -(1/4)-> ff");
-    CHECK(may_die.status == upper_bound);
+    REQUIRE(may_die.status == upper_bound);
     CHECK(says(may_die, "the parts that multiply the fastest may die out"));
     CHECK(may_die.value->text() == "log (9/4) / log 2");
     // One of two curves, each with its own dimension.
     const ExactDimension either =
         of("axiom S; S -(1/2)-> FFF; S -(1/2)-> GGG; F -> F+F--F+F; G -(1/2)-> G+G--G+G; "
            "G -(1/2)-> GGG; angle 60; interpret G -> F; interpret S -> F");
-    CHECK(either.status == upper_bound);
+    REQUIRE(either.status == upper_bound);
     CHECK(says(either, "by some choices there are no parts that multiply as fast"));
     CHECK(either.value->text() == "log 4 / log 3");
     const ExactDimension still = of("axiom F; F -(1/2)-> fFf; F -(1/2)-> Fff; f -> fff; angle 90");
@@ -144,8 +144,40 @@ TEST_CASE("what is not known of a random set is said") {
     CHECK(says(still, "no parts that are drawn multiply on average"));
     const ExactDimension many = exact_dimension(
         read_lsystem("axiom F; F -(1/2)-> F+F--F+F; F -(1/2)-> FFF; angle 60", ""), Budget(), 1);
-    CHECK(many.status == upper_bound);
+    REQUIRE(many.status == upper_bound);
     CHECK(says(many, "more than 1 ways in which two parts may meet"));
+}
+
+TEST_CASE("what is little in the limit alone may grow by chance") {
+    using enum ExactDimension::Status;
+    // g goes 5.5 times as far in each step on average, though the curve without it becomes 3 times as large.
+    for (const char* rules :
+         {"g -(1/2)-> gggggggggg; g -(1/2)-> g", "g -(1/2)-> g; g -(1/2)-> gggggggggg"}) {
+        const ExactDimension found =
+            of(std::string("axiom F; F -> F+F--F+Fg; angle 60; interpret g -> f; ") + rules);
+        CHECK(found.status == none);
+        CHECK(says(found, "the alternatives of g do not all end at the same place"));
+    }
+    // Turns by chance in the first generation alone: those of F add up in all later ones.
+    const ExactDimension turns =
+        of("axiom F; F -> F+F-F-FF+F+F-Fa; a -(1/2)-> b; a -(1/2)-> c; b -> d; c -> d; angle 90; "
+           "interpret b -> +; interpret c -> -");
+    CHECK(turns.status == none);
+    CHECK(says(turns,
+               "the alternatives of a do not all end at the same place with the same heading"));
+    // More and more random Cantor sets in one place: their union has a larger dimension of boxes than each.
+    const ExactDimension heap =
+        of("axiom P; angle 90; P -> PPPPP[D]; D -(1/3)-> DDf; D -(1/3)-> DfD; D -(1/3)-> fDD; "
+           "f -> fff; interpret D -> F");
+    REQUIRE(heap.status == upper_bound);
+    CHECK(heap.value->text() == "log 5 / log 3");
+    CHECK(says(heap, "the parts that multiply the fastest lie in one place"));
+    // As many as the sets themselves have parts change nothing.
+    const ExactDimension few =
+        of("axiom P; angle 90; P -> P[D]; D -(1/3)-> DDf; D -(1/3)-> DfD; D -(1/3)-> fDD; "
+           "f -> fff; interpret D -> F");
+    REQUIRE(few.status == exact);
+    CHECK(few.value->text() == "log 2 / log 3");
 }
 
 TEST_CASE("random sets against walks of random words") {

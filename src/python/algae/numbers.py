@@ -208,7 +208,8 @@ class Dimension:
         formula = self._found.latex()
         if self.status == "upper bound" and self.n(1) == 2:  # the formula gives more
             return r"\dim \le 2"
-        relation = r"\dim \le" if self.status == "upper bound" else r"\dim \overset{\text{a.s.}}{=}" if self.almost_surely else r"\dim ="
+        relation = r"\le" if self.status == "upper bound" else "="
+        relation = r"\dim \overset{\text{a.s.}}" + f"{{{relation}}}" if self.almost_surely else rf"\dim {relation}"
         if not formula:
             return r"\text{no formula of the dimension}"
         about = rf" \approx {self.n(12)}" if self.rational is None else ""

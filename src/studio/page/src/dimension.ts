@@ -63,7 +63,7 @@ export class DimensionTab {
     const exact = found.exact;
     const head = el('div', {});
     if (exact?.formula) {
-      head.append(el('p', { class: 'result' }, `${texts.exact}: `, el('b', {}, `${exact.formula} = ${exact.decimal?.slice(0, 14) ?? exact.value}`), exact.status !== 'exact' ? ` (${exact.status})` : exact.almost_surely ? `, ${texts.almostSurely}` : ''));
+      head.append(el('p', { class: 'result' }, `${texts.exact}: `, el('b', {}, `${exact.formula} = ${exact.decimal?.slice(0, 14) ?? exact.value}`), exact.status === 'exact' ? '' : ` (${exact.status})`, exact.almost_surely ? `, ${texts.almostSurely}` : ''));
       for (const condition of exact.conditions ?? []) head.append(el('p', { class: 'note' }, condition));
     } else if (exact) {
       head.append(el('p', { class: 'note' }, `${texts.exact}: ${exact.because ?? exact.reason ?? exact.status}`));

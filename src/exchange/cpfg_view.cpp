@@ -73,9 +73,10 @@ public:
         return found == values_.end() ? nullptr : &found->second.back();
     }
     /// The same in all lines.
-    std::vector<Placed> values(const char* keyword) const {
+    const std::vector<Placed>& values(const char* keyword) const {
+        static const std::vector<Placed> none;
         const auto found = values_.find(keyword);
-        return found == values_.end() ? std::vector<Placed>{} : found->second;
+        return found == values_.end() ? none : found->second;
     }
 
     /// Words of a value, each with its place.

@@ -2,6 +2,7 @@
 #include <rapidcheck.h>
 
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -185,28 +186,27 @@ std::vector<Voice> from_lowest(std::vector<Voice> voices, bool half_tones) {
 Voice played(const std::string& word) {
     static constexpr int dx[] = {1, 0, -1, 0}, dy[] = {0, 1, 0, -1};
     Voice voice;
-    int y = 0, heading = 0;
+    std::pair<int, int> here{0, 0};
+    std::optional<std::pair<int, int>>
+        heard;  // where the note before ends, also if the pen comes back to it
+    int heading = 0;
     std::uint64_t time = 0;
-    bool follows = false;
     for (const char letter : word) {
         if (letter == '+') heading = (heading + 1) % 4;
         if (letter == '-') heading = (heading + 3) % 4;
-        if (letter == 'f') {
-            y += dy[heading];
-            follows = false;
-        }
-        if (letter != 'F') continue;
-        if (dx[heading] == 0) {
-            y += dy[heading];
-            follows = false;
-            continue;
-        }
+        if (letter != 'F' && letter != 'f') continue;
+        const auto from = here;
+        here = {here.first + dx[heading], here.second + dy[heading]};
+        if (letter == 'f') continue;
+        const bool follows = heard == from;
+        heard.reset();
+        if (dx[heading] == 0) continue;
         if (follows)
             voice.back().end += 8;
         else
-            voice.push_back({y, time, time + 8});
+            voice.push_back({from.second, time, time + 8});
         time += 8;
-        follows = true;
+        heard = here;
     }
     return voice;
 }

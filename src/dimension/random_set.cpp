@@ -168,7 +168,7 @@ public:
                 return std::tie(part.piece, part.heading, part.offset);
             };
             std::ranges::sort(parts, {}, key);
-            parts.erase(std::ranges::unique(parts).begin(), parts.end());
+            parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
         }
     }
 

@@ -797,6 +797,8 @@ DimensionBounds dimension_bounds(const Model& system, const BoundsSearch& search
     }
     const ExactDimension known = exact_dimension(system, budget);
     if (!known.value) throw Error(known.conditions.back());
+    if (known.almost_surely)
+        throw Error("chance has a part in what is drawn: no bounds hold for all that it may be");
     DimensionBounds found;
     const Ball value = known.value->enclosure(96);
     const Rational high = rounded_up(value.upper());

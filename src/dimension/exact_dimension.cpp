@@ -179,6 +179,11 @@ private:
     std::vector<std::size_t> begin() {
         std::vector<std::size_t> order = components();
         if (order.empty()) {
+            const auto& all = set_.components().list;
+            if (std::ranges::any_of(all, [&](const Component& one) {
+                    return one.rate && *one.rate > Rate(1) && set_.is_reached(one.letters.front());
+                }))
+                throw Error("what is drawn grows more slowly than what only moves");
             out_.value = out_.similarity = DimensionFormula(LogRatio(Rate(1), ratio_));
             out_.status = Status::exact;
             out_.conditions.push_back("the parts that are drawn do not multiply");
@@ -324,6 +329,7 @@ ExactDimension found_dimension(const Model& system, std::size_t ways, const Budg
         if (drawing.tropism) throw Error("strokes bend to a tropism");
         if (!drawing.solids.empty()) throw Error("symbols leave solids");
         if (!drawing.surfaces.empty()) throw Error("symbols leave surfaces");
+        if (!drawing.stamps.empty()) throw Error("symbols leave filled shapes");
         if (chance) return random_dimension(system, *chance, ways, budget);
         if (!rules || !has_lattice_angle(drawing))
             return parametric_dimension(system, ways, budget);

@@ -298,6 +298,8 @@ ExactDimension random_dimension(const Model& system, const S0L& rules, std::size
                                 const Budget& budget) {
     const auto alternatives = alternatives_of(rules);
     const Together all = together(system, rules, alternatives);
+    if (Commands(all.system, all.rules.letters).uses(Command::open_polygon))
+        throw Error("symbols fill polygons");
     const RandomSet random(all, alternatives, budget);
     check_ways(all, alternatives, random.all().unfolding(), budget);
     const RecurrentSet& set = random.all();
@@ -318,6 +320,25 @@ ExactDimension random_dimension(const Model& system, const S0L& rules, std::size
             largest ? *rate <=> *parts.list[*largest].rate : std::strong_ordering::greater;
         if (order > 0 || (order == 0 && lies_in_one_place(*largest))) largest = k;
     }
+    // Whatever is chosen, something that is as large as the whole must be drawn for ever: else the whole is smaller.
+    std::vector<bool> lasts(set.size(), false);
+    for (const Component& component : set.components().list) {
+        if (!component.rate || is_point(set, component)) continue;
+        const auto& component_of = set.components().of_letter;
+        const std::size_t own = component_of[component.letters.front()];
+        if (std::ranges::all_of(component.letters, [&](std::size_t piece) {
+                return std::ranges::all_of(
+                    random.choices(piece), [&](const std::vector<Part>& choice) {
+                        return std::ranges::any_of(choice, [&](const Part& part) {
+                            return component_of[part.piece] == own;
+                        });
+                    });
+            }))
+            for (const std::size_t piece : component.letters) lasts[piece] = true;
+    }
+    const std::vector<bool> stays = surely(random, lasts);
+    if (std::ranges::none_of(set.axiom(), [&](const Part& part) { return stays[part.piece]; }))
+        throw Error("by some choices nothing that is drawn is as large as the whole");
     if (!largest) throw Error("no parts that are drawn multiply on average");
 
     ExactDimension found;

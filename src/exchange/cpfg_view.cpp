@@ -271,19 +271,22 @@ void set_tropism(const Lines& lines, Model& system) {
     if (!pull.contains('T')) lines.fail(said->place(0), "expected T: x y z, the direction");
     std::vector<Quantity> to;
     for (const Placed& part : pull.at('T')) to.push_back(lines.number(part));
-    const auto product = [](const char* formula, const std::vector<Quantity>& values) {
-        return evaluate(read_expression(formula), [&](const std::string& name) -> const Quantity* {
-            const auto at = std::string_view("xyze").find(name);
-            return at == std::string_view::npos ? nullptr : &values[at];
-        });
-    };
     if (is_zero(to[0]) && is_zero(to[1]) && is_zero(to[2]))
         lines.fail(pull.at('T').front().place(0), "expected a direction other than 0 0 0");
-    to.push_back(number(pull, 'E', 0));
-    system.drawing.susceptibility = product("e/sqrt(x^2+y^2+z^2)", to);
+    const auto said_of = [](const Quantity& value) {
+        return "(" + to_text(value.expression) + ")";
+    };
+    const auto computed = [](const std::string& formula) {
+        return evaluate(read_expression(formula),
+                        [](const std::string&) -> const Quantity* { return nullptr; });
+    };
+    std::string squares;
+    for (const Quantity& part : to) squares += (squares.empty() ? "" : "+") + said_of(part) + "^2";
+    system.drawing.susceptibility =
+        computed(said_of(number(pull, 'E', 0)) + "/sqrt(" + squares + ")");
     const bool upright = system.alphabet.find(cpfg_upward).has_value();
-    system.drawing.tropism =
-        upright ? Triple{to[0], product("-z", to), to[1]} : Triple{to[0], to[1], to[2]};
+    system.drawing.tropism = upright ? Triple{to[0], computed("-" + said_of(to[2])), to[1]}
+                                     : Triple{to[0], to[1], to[2]};
     system.drawing.bends_before = true;
 }
 

@@ -297,6 +297,7 @@ double normal(double degrees) {
 IteratedFunctions functions_of_curve(const Model& system, const Budget& budget) {
     const View<D0L> rules = as_d0l(system);
     if (!rules) throw Error(system.name + ": " + rules.reason());
+    if (system.drawing.tropism) throw Error(system.name + ": strokes bend to a tropism");
     const RecurrentSet set = set_of(system, *rules, budget);
     const Unfolding& unfolding = set.unfolding();
     const std::complex<double> mu = set.displacement().factor();

@@ -129,9 +129,8 @@ TEST_CASE("what is not known of a random set is said") {
     const ExactDimension may_die =
         of("axiom [S]f; f -> ff; angle 90; interpret S -> F; "
            "S -(3/4)-> [[S]f[S]-f[S]]ff; S -(1/4)-> ff");
-    REQUIRE(may_die.status == upper_bound);
-    CHECK(says(may_die, "the parts that multiply the fastest may die out"));
-    CHECK(may_die.value->text() == "log (9/4) / log 2");
+    CHECK(may_die.status == none);
+    CHECK(says(may_die, "by some choices nothing that is drawn is as large as the whole"));
     // One of two curves, each with its own dimension.
     const ExactDimension either =
         of("axiom S; S -(1/2)-> FFF; S -(1/2)-> GGG; F -> F+F--F+F; G -(1/2)-> G+G--G+G; "
@@ -178,6 +177,20 @@ TEST_CASE("what is little in the limit alone may grow by chance") {
            "f -> fff; interpret D -> F");
     REQUIRE(few.status == exact);
     CHECK(few.value->text() == "log 2 / log 3");
+}
+
+TEST_CASE("what is drawn may grow more slowly than what only moves") {
+    using enum ExactDimension::Status;
+    CHECK(of("axiom F[g]; F -> F+F--F+F; g -> gggggggggg; angle 60; interpret g -> f").status ==
+          none);
+    CHECK(of("axiom F[g]; F -(1/2)-> F+F--F+F; F -(1/2)-> F-F++F-F; g -> gggggggggg; angle 60; "
+             "interpret g -> f")
+              .status == none);
+    CHECK(of("axiom S; S -(1/2)-> F; S -(1/2)-> F[g]; F -> F+F--F+F; g -> gggggggggg; angle 60; "
+             "interpret g -> F; interpret S -> F")
+              .status == none);
+    CHECK(says(of("axiom F; stamp F square; F -> F+F--F+F; angle 60"),
+               "symbols leave filled shapes"));
 }
 
 TEST_CASE("random sets against walks of random words") {

@@ -61,6 +61,9 @@ TEST_CASE("a tropism of cpfg bends before steps and moves") {
     const Vector there{-0.744339, 0.667802, 0};
     CHECK(length(end_of("+(40)F", "tropism: T: 0 -1 0 E: 0.22\n") - there) < 2e-6);
     CHECK(length(end_of("+(40)F", "tropism: T: 0 -2 0 A: 0 I: 1 E: 0.22 S: 0.1\n") - there) < 2e-6);
+    const Model written =
+        with_cpfg_view(plant("&(30)F[@vf]"), "tropism: T: 1 2 -3 E: 0.3\n", "plant.v");
+    CHECK(read_lsystem(print_lsystem(written), "").drawing == written.drawing);
     // A turtle that stands along z sees the page's y as z, and its z as -y.
     const Vector page = end_of("&(30)F(3)+(20)f", "tropism: T: 1 2 -3 E: 0.3\n"),
                  upright = end_of("&(30)F(3)+(20)f[@vf]", "tropism: T: 1 2 -3 E: 0.3\n");

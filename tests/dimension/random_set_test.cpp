@@ -219,7 +219,8 @@ TEST_CASE("random sets against walks of random words") {
         const ExactDimension found = of(system);
         RC_LOG() << system << '\n';
         if (found.status == ExactDimension::Status::none) {
-            RC_ASSERT(average <= 1 + 1e-9 || says(found, "no parts"));
+            RC_ASSERT(average <= 1 + 1e-9 || says(found, "no parts") ||
+                      says(found, "by some choices nothing that is drawn"));
             ++none;
             return;
         }

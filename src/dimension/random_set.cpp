@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include "dimension/detail/recurrent_set.hpp"
@@ -41,22 +42,22 @@ struct Alternative {
 };
 
 /// Whether brackets match within the word.
-bool is_balanced(const Alphabet& alphabet, const Word& word) {
-    const auto open = alphabet.find("["), close = alphabet.find("]");
+bool is_balanced(const Word& word, const Brackets& brackets) {
     std::size_t depth = 0;
     for (const Symbol a : word) {
-        if (a == open) ++depth;
-        if (a == close && depth-- == 0) return false;
+        if (a == brackets.open) ++depth;
+        if (a == brackets.close && depth-- == 0) return false;
     }
     return depth == 0;
 }
 
 std::vector<std::vector<Alternative>> alternatives_of(const S0L& rules) {
     std::vector<std::vector<Alternative>> found(rules.alternatives.size());
+    const auto brackets = brackets_of(*rules.alphabet);
     for (std::size_t a = 0; a < found.size(); ++a)
         for (const auto& [word, probability] : rules.alternatives[a]) {
             if (probability == Rational(0)) continue;
-            if (word != Word{static_cast<Symbol>(a)} && !is_balanced(*rules.alphabet, word))
+            if (brackets && word != Word{static_cast<Symbol>(a)} && !is_balanced(word, *brackets))
                 throw Error("brackets do not match within every successor");
             const auto same = std::ranges::find(found[a], word, &Alternative::word);
             if (same == found[a].end())
@@ -143,9 +144,10 @@ void check_ways(const Together& all, const std::vector<std::vector<Alternative>>
         std::vector<Way> next = now;
         for (const Symbol a : unfolding.letters) {
             budget.check();
-            next[a] = walked(alternatives[a].front().word);
-            for (const Alternative& one : alternatives[a])
-                if (walked(one.word) != next[a])
+            const std::vector<Alternative>& own = alternatives[a];
+            next[a] = walked(own.front().word);
+            for (std::size_t i = 1; i < own.size(); ++i)
+                if (walked(own[i].word) != next[a])
                     throw Error("the alternatives of " + all.system.alphabet.name(a) +
                                 " do not all end at the same place with the same heading");
         }
@@ -246,6 +248,28 @@ std::vector<bool> surely(const RandomSet& set, const std::vector<bool>& holds) {
     return leads;
 }
 
+/// Whether every alternative of every piece of a component keeps a part in it.
+bool goes_on(const RandomSet& random, std::size_t component) {
+    const auto& component_of = random.all().components().of_letter;
+    const auto has_one = [&](const std::vector<Part>& choice) {
+        return std::ranges::any_of(
+            choice, [&](const Part& part) { return component_of[part.piece] == component; });
+    };
+    return std::ranges::all_of(
+        random.all().components().list[component].letters,
+        [&](std::size_t piece) { return std::ranges::all_of(random.choices(piece), has_one); });
+}
+
+/// Whether every choice leads from the axiom into one of these components.
+bool surely_reached(const RandomSet& random, const std::vector<bool>& components) {
+    const RecurrentSet& set = random.all();
+    std::vector<bool> inside;
+    for (std::size_t p = 0; p < set.size(); ++p)
+        inside.push_back(components[set.components().of_letter[p]]);
+    const std::vector<bool> leads = surely(random, inside);
+    return std::ranges::any_of(set.axiom(), [&](const Part& part) { return leads[part.piece]; });
+}
+
 /// How parts of a component that occur together come together: in how many ways; nothing if two may be one.
 std::optional<std::size_t> ways_together(const RandomSet& random, std::size_t component,
                                          std::size_t most, const Budget& budget) {
@@ -257,7 +281,7 @@ std::optional<std::size_t> ways_together(const RandomSet& random, std::size_t co
             if (component_of[part.piece] == component) found.push_back(placed(set, whole, part));
         return found;
     };
-    std::map<std::pair<std::size_t, Placement>, bool> seen;
+    std::set<std::pair<std::size_t, Placement>> seen;
     std::vector<std::pair<std::size_t, Placement>> open;
     bool coincide = false;
     std::size_t looks = 0;
@@ -266,7 +290,7 @@ std::optional<std::size_t> ways_together(const RandomSet& random, std::size_t co
         const Placement other = seen_from(set, first, second);
         if (!may_meet(set, first.piece, other)) return;
         coincide = coincide || other == Placement{first.piece, 0, set.displacement().zero()};
-        if (!seen.try_emplace({first.piece, other}, true).second) return;
+        if (!seen.emplace(first.piece, other).second) return;
         if (seen.size() > most)
             throw BoundReached(Bound::method, "more than " + std::to_string(most) +
                                                   " ways in which two parts may meet");
@@ -321,23 +345,11 @@ ExactDimension random_dimension(const Model& system, const S0L& rules, std::size
         if (order > 0 || (order == 0 && lies_in_one_place(*largest))) largest = k;
     }
     // Whatever is chosen, something that is as large as the whole must be drawn for ever: else the whole is smaller.
-    std::vector<bool> lasts(set.size(), false);
-    for (const Component& component : set.components().list) {
-        if (!component.rate || is_point(set, component)) continue;
-        const auto& component_of = set.components().of_letter;
-        const std::size_t own = component_of[component.letters.front()];
-        if (std::ranges::all_of(component.letters, [&](std::size_t piece) {
-                return std::ranges::all_of(
-                    random.choices(piece), [&](const std::vector<Part>& choice) {
-                        return std::ranges::any_of(choice, [&](const Part& part) {
-                            return component_of[part.piece] == own;
-                        });
-                    });
-            }))
-            for (const std::size_t piece : component.letters) lasts[piece] = true;
-    }
-    const std::vector<bool> stays = surely(random, lasts);
-    if (std::ranges::none_of(set.axiom(), [&](const Part& part) { return stays[part.piece]; }))
+    const std::vector<Component>& list = set.components().list;
+    std::vector<bool> lasting;
+    for (std::size_t k = 0; k < list.size(); ++k)
+        lasting.push_back(list[k].rate && !is_point(set, list[k]) && goes_on(random, k));
+    if (!surely_reached(random, lasting))
         throw Error("by some choices nothing that is drawn is as large as the whole");
     if (!largest) throw Error("no parts that are drawn multiply on average");
 
@@ -359,18 +371,13 @@ ExactDimension random_dimension(const Model& system, const S0L& rules, std::size
         return found;
     }
     const std::size_t component = set.components().of_letter[parts.list[*largest].letters.front()];
-    std::vector<bool> inside(set.size(), false);
-    for (const std::size_t piece : set.components().list[component].letters) inside[piece] = true;
-    const auto goes_on = [&](const std::vector<Part>& choice) {
-        return std::ranges::any_of(choice, [&](const Part& part) { return inside[part.piece]; });
-    };
-    for (const std::size_t piece : set.components().list[component].letters)
-        if (!std::ranges::all_of(random.choices(piece), goes_on)) {
-            found.conditions.push_back("the parts that multiply the fastest may die out");
-            return found;
-        }
-    const std::vector<bool> leads = surely(random, inside);
-    if (std::ranges::none_of(set.axiom(), [&](const Part& part) { return leads[part.piece]; })) {
+    if (!goes_on(random, component)) {
+        found.conditions.push_back("the parts that multiply the fastest may die out");
+        return found;
+    }
+    std::vector<bool> fastest(list.size(), false);
+    fastest[component] = true;
+    if (!surely_reached(random, fastest)) {
         found.conditions.push_back("by some choices there are no parts that multiply as fast");
         return found;
     }

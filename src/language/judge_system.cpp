@@ -334,7 +334,7 @@ Answer judge_bounded(steps::LimitSet said) {
     return answer ? *answer : open(said);
 }
 
-constexpr std::size_t few_ways = 5'000, all_ways = 50'000;  // in which parts meet
+constexpr std::size_t few_ways = 5'000;  // in which parts meet
 constexpr std::uint64_t few_steps = 2'000'000'000;
 
 /// What certified bounds say, which come nearer until they decide or their steps are used up.
@@ -364,9 +364,7 @@ std::optional<Answer> judge_certified(steps::LimitSet said, const Model& system,
 
 /// What the rules say of the one limit set that a system has. Where chance has a part in it there are many, and a claim
 /// is not decided by what is so of almost all of them.
-ExactDimension dimension_of_limit(const Model& system, const Budget& budget,
-                                  std::size_t most_ways = all_ways) {
-    ExactDimension found = exact_dimension(system, budget, most_ways);
+ExactDimension of_one_set(ExactDimension found) {
     if (!found.almost_surely) return found;
     ExactDimension none;
     none.conditions.push_back("chance has a part in what it draws, so it has no one limit set");
@@ -395,23 +393,24 @@ Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
     };
     // A short search; what bounds say; the whole search. All are counted, none is timed: what is decided does not
     // depend on the machine.
-    const auto [answer, said] = judged(dimension_of_limit(*claimed.system, budget, few_ways));
+    const auto [answer, said] =
+        judged(of_one_set(exact_dimension(*claimed.system, budget, few_ways)));
     if (answer.truth != Truth::undecided || said.found->status != Status::upper_bound)
         return answer;
     if (const auto certified = judge_certified(said, *claimed.system, budget)) return *certified;
-    return judged(dimension_of_limit(*claimed.system, budget)).first;
+    return judged(of_one_set(exact_dimension(*claimed.system, budget))).first;
 }
 
 Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget) {
-    const steps::LimitSet said{
-        claimed.name,
-        std::make_shared<const ExactDimension>(dimension_of_limit(*claimed.system, budget)),
-        true,
-        has_lattice_turtle(*claimed.system),
-        claimed.dimension,
-        Order::unknown,
-        {},
-        claimed.system};
+    const steps::LimitSet said{claimed.name,
+                               std::make_shared<const ExactDimension>(
+                                   of_one_set(exact_dimension(*claimed.system, budget))),
+                               true,
+                               has_lattice_turtle(*claimed.system),
+                               claimed.dimension,
+                               Order::unknown,
+                               {},
+                               claimed.system};
     return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);
 }
 

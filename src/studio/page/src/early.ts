@@ -24,17 +24,18 @@ const module = new Promise<WebAssembly.Module>((found, fail) => {
   worker.addEventListener('error', fail);
 });
 const isThere = question !== null && question.pixels <= algaeFirst.pixels;
+const asked = isThere ? null : question; // of the Worker
 const answered = new Promise<Said>((found, fail) => {
   worker.addEventListener('message', ({ data }: MessageEvent<FromWorker>) => 'bytes' in data && found(data));
   worker.addEventListener('error', fail);
 });
-const isFree = (question && !isThere ? answered : module).then(
+const isFree = (asked ? answered : module).then(
   (found) => !('broken' in found && found.broken),
   () => false,
 );
 module.catch(() => undefined);
 answered.catch(() => undefined);
-worker.postMessage({ program: 'engine', question: question && !isThere ? { ...question } : null, seconds: 30 } satisfies ToWorker);
+worker.postMessage({ program: 'engine', question: asked && { ...asked }, seconds: 30 } satisfies ToWorker);
 const { status, said, bytes } = algaeFirst;
 const first = (): Said => ({ status, said, broken: false, bytes: Uint8Array.from(atob(bytes), (byte) => byte.charCodeAt(0)) });
-Object.assign(window, { algaeEarly: { worker, module, question, said: isThere ? Promise.resolve(first()) : question && answered, isFree } satisfies Early });
+Object.assign(window, { algaeEarly: { worker, module, question, said: isThere ? Promise.resolve(first()) : asked && answered, isFree } satisfies Early });

@@ -322,8 +322,6 @@ ExactDimension random_dimension(const Model& system, const S0L& rules, std::size
                                 const Budget& budget) {
     const auto alternatives = alternatives_of(rules);
     const Together all = together(system, rules, alternatives);
-    if (Commands(all.system, all.rules.letters).uses(Command::open_polygon))
-        throw Error("symbols fill polygons");
     const RandomSet random(all, alternatives, budget);
     check_ways(all, alternatives, random.all().unfolding(), budget);
     const RecurrentSet& set = random.all();

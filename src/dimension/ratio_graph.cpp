@@ -329,6 +329,7 @@ private:
             throw Error("the symbol " + name + " makes a figure in space");
         if (name == "*" && (key.arity > 0 || drawing.scale))
             throw Error("the symbol * changes the turtle's step");
+        if (name == "{" || name == "}") throw Error("a polygon goes on from letter to letter");
         if (name == "%") throw Error("the symbol % leaves branches out");
         if (name == "|") state.turn = {180, 0};
         if (name == "+" || name == "-") {

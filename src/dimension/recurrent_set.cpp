@@ -63,6 +63,7 @@ public:
                 place_[a] = letters.size();
                 letters.push_back(a);
                 check_brackets(a);
+                check_polygons(a);
             }
         reduce_order();
     }
@@ -83,9 +84,41 @@ public:
                        [&](Command command) { return motions.of(command, compass_, unit_); });
     }
 
+    /// Whether the letter leaves something that is seen: a step with the pen down or a polygon of its own.
+    bool draws(const LatticeMotions::value_type& motion, Symbol a) const {
+        return !motion.segments.is_zero() || most_corners(a) > 2;
+    }
+
     std::vector<Symbol> letters;
 
 private:
+    /// The most corners of a polygon that the letter fills.
+    std::size_t most_corners(Symbol a) const {
+        std::vector<std::size_t> open;
+        std::size_t most = 0;
+        for (const Command command : commands_.of(a)) {
+            if (command == Command::close_polygon) {
+                most = std::max(most, open.back());
+                open.pop_back();
+            }
+            if (command == Command::open_polygon) open.push_back(0);
+            const bool is_corner = command == Command::open_polygon || command == Command::draw ||
+                                   command == Command::move || command == Command::vertex;
+            if (is_corner && !open.empty()) ++open.back();
+        }
+        return most;
+    }
+    /// The sides of a polygon from letter to letter are as long as the figure, and no piece has them.
+    void check_polygons(Symbol a) const {
+        std::size_t open = 0;
+        bool closes_another = false;
+        for (const Command command : commands_.of(a)) {
+            if (command == Command::open_polygon) ++open;
+            if (command == Command::close_polygon) closes_another |= open-- == 0;
+            if (closes_another) break;
+        }
+        if (closes_another || open != 0) throw Error("a polygon goes on from letter to letter");
+    }
     void check_brackets(Symbol a) const {
         std::size_t depth = 0;
         for (const Command command : commands_.of(a)) {
@@ -206,7 +239,7 @@ Unfolding unfolding(const Model& system, const D0L& rules, std::size_t phase_fac
         const auto motion = reader.motion(motions, a);
         turns.push_back(motion.turn);
         moves.push_back(motion.move);
-        draws.push_back(!motion.segments.is_zero());
+        draws.push_back(reader.draws(motion, a));
     }
     std::map<std::vector<std::int64_t>, std::size_t> seen;
     std::vector<std::vector<std::int64_t>> levels;

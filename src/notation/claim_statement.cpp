@@ -119,6 +119,21 @@ std::uint64_t parse_steps(std::string_view text) {
     return steps;
 }
 
+/// The number of steps that an expression without names is. Throws `SyntaxError`.
+std::uint64_t constant_steps(const Expression& term, std::string_view text) {
+    std::optional<Rational> value;
+    try {
+        value = evaluate(term, [](const std::string&) -> const Quantity* { return nullptr; }).exact;
+    } catch (const Diagnostics& error) {
+        throw SyntaxError{text.data(), error.findings().front().message};
+    }
+    if (!value || !value->is_integer() || !value->numerator().fits_uint64())
+        throw SyntaxError{
+            text.data(),
+            "expected a whole number of steps from 0 to 2^64 - 1, found " + quoted(text)};
+    return value->numerator().to_uint64();
+}
+
 /// Reads `G ==> W in 3 steps` or `G : U ==> W`. Throws `SyntaxError`.
 std::variant<Derives, Rewrites> parse_derivation(std::string_view text, ClaimReading& reading) {
     const std::size_t arrow = text.find("==>");
@@ -140,10 +155,16 @@ std::variant<Derives, Rewrites> parse_derivation(std::string_view text, ClaimRea
         const bool is_term =
             last != std::string_view::npos &&
             before(count, last).find_first_not_of("0123456789 \t") != std::string_view::npos;
-        if (is_term && trimmed(count).ends_with("steps"))
-            bound_steps = parse_number_term(before(count, last), numbers, reading);
-        else
+        if (is_term && trimmed(count).ends_with("steps")) {
+            const std::string_view term = trimmed(before(count, last));
+            bound_steps = parse_number_term(term, numbers, reading);
+            if (numbers.empty()) {
+                steps = constant_steps(*bound_steps, term);
+                bound_steps.reset();
+            }
+        } else {
             steps = parse_steps(count);
+        }
         word = before(word, in);
     }
     if (const auto rewriting = reading.rewriting(name))

@@ -159,6 +159,8 @@ std::string exact_page(const ExactDimension& exact) {
                "\n";
     };
     const std::string surely = exact.almost_surely ? ", with probability 1: " : ": ";
+    const std::string unfinished =
+        exact.almost_surely ? "exact, with probability 1: unfinished" : "exact: unfinished";
     if (exact.status == ExactDimension::Status::exact) text += line("exact" + surely, *exact.value);
     if (exact.status == ExactDimension::Status::upper_bound)
         text += exceeds_plane(exact)
@@ -168,8 +170,8 @@ std::string exact_page(const ExactDimension& exact) {
     if (exact.status == ExactDimension::Status::unfinished)
         text += exceeds_plane(exact)
                     ? line("exact: unfinished, at most 2; the formula gives ", *exact.value)
-                : exact.value ? line("exact: unfinished, at most ", *exact.value)
-                              : "exact: unfinished\n";
+                : exact.value ? line(unfinished + ", at most ", *exact.value)
+                              : unfinished + "\n";
     if (exact.status == ExactDimension::Status::none) text += "exact: no formula\n";
     for (const std::string& condition : exact.conditions) text += "  " + condition + "\n";
     if (exact.value && exact.similarity && exact.similarity->text() != exact.value->text())

@@ -158,6 +158,23 @@ TEST_CASE("systems without a formula say why") {
           "the start's heading, together with the angle, is no rational part of a turn with a "
           "denominator up to 360");
     CHECK(reason("axiom X; X -> FX; F -> F+G; G -> F").find("grow") != std::string::npos);
+    const char* fences = "a polygon goes on from letter to letter";
+    CHECK(reason("axiom {F--F--F}; F -> F+F--F+F; angle 60") == fences);
+    CHECK(reason("axiom F; F -> FFA; A -> AAA; interpret A -> }f{") == fences);
+    CHECK(reason("axiom A(1); A(x) -> F(x){A(x/3)F(x/3)}; angle 60") == fences);
+}
+
+TEST_CASE("a letter that only fills polygons is seen in the limit") {
+    const auto dimension = [](const std::string& system) {
+        const ExactDimension found = exact_dimension(read_lsystem(system, "a.lsys"));
+        REQUIRE(found.status == Status::exact);
+        return found.value->text();
+    };
+    const std::string by_a_line = "axiom F[S]; F -> FFF; S -> S+S--S+S; angle 60; ";
+    CHECK(dimension(by_a_line + "interpret S -> {.f++f++f}++f") == "log 4 / log 3");
+    CHECK(dimension(by_a_line + "interpret S -> [{+f}]f") == "log 3 / log 3 = 1");
+    CHECK(dimension("axiom S; S -> S+S--S+S; angle 60; interpret S -> [{f+f}]f") ==
+          "log 4 / log 3");
 }
 
 TEST_CASE("plants with angles of no lattice have the bound of their ratios, and no more") {

@@ -161,7 +161,10 @@ TEST_CASE("statements") {
           "4:6: expected a word (the empty word is ε), found 'in'");
     CHECK(claim_messages(names + "show |A| = x") == "4:12: expected a number of words, found 'x'");
     CHECK(claim_messages(names + "show N ==> a in b steps") ==
-          "4:16: expected numbers that 'for all numbers ...' binds, found 'b'");
+          "4:17: expected numbers that 'for all numbers ...' binds, found 'b'");
+    CHECK(claim_messages(names + "show N ==> a in -3 steps") ==
+          "4:17: expected a whole number of steps from 0 to 2^64 - 1, found '-3'");
+    CHECK(claim_messages(names + "show N ==> a in 1/0 steps") == "4:17: division by 0 in '1/0'");
     CHECK(claim_messages(names + "show N ==> a in 2") ==
           "4:18: expected 'steps', found the end of the line");
     CHECK(claim_messages(names + "show growth(N) = m") ==

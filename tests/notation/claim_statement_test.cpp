@@ -89,6 +89,8 @@ TEST_CASE("what systems derive, and how they grow") {
     CHECK(derives.steps == 2);
     CHECK(!derives.from);
     CHECK(derives.word == Word{0, 1, 1});
+    CHECK(said_in<Derives>(statement("G ==> abb in 2 * 3 - 4 steps")).steps == 2);
+    CHECK(!said_in<Derives>(statement("G ==> abb in 2 * 3 - 4 steps")).bound_steps);
     CHECK(said_in<Derives>(statement("G : aa ==> abab in 1 step")).from == Word{0, 0});
     CHECK(!said_in<Derives>(statement("not G==>ε")).steps);
     CHECK(statement("not G==>ε").negated);

@@ -41,23 +41,13 @@ struct Alternative {
     Rational probability;
 };
 
-/// Whether brackets match within the word.
-bool is_balanced(const Word& word, const Brackets& brackets) {
-    std::size_t depth = 0;
-    for (const Symbol a : word) {
-        if (a == brackets.open) ++depth;
-        if (a == brackets.close && depth-- == 0) return false;
-    }
-    return depth == 0;
-}
-
 std::vector<std::vector<Alternative>> alternatives_of(const S0L& rules) {
     std::vector<std::vector<Alternative>> found(rules.alternatives.size());
     const auto brackets = brackets_of(*rules.alphabet);
     for (std::size_t a = 0; a < found.size(); ++a)
         for (const auto& [word, probability] : rules.alternatives[a]) {
             if (probability == Rational(0)) continue;
-            if (brackets && word != Word{static_cast<Symbol>(a)} && !is_balanced(word, *brackets))
+            if (brackets && word != Word{static_cast<Symbol>(a)} && !brackets_match(word, *brackets))
                 throw Error("brackets do not match within every successor");
             const auto same = std::ranges::find(found[a], word, &Alternative::word);
             if (same == found[a].end())

@@ -97,7 +97,7 @@ private:
                 refuse(rule.place, "Q in a homomorphism",
                        "is the number of the step, which only rules know in the notation");
             std::vector<CpfgModule> image =
-                drawn(modules(rule.successor), system_.drawn_depth, interpreted);
+                drawn(modules(rule.successor), system_.drawn_depth, interpreted, own);
             interpret += "interpret " +
                          head(rule, rule.condition ? expression(*rule.condition, own) : "", "") +
                          " -> " + written(image, own) + "\n";
@@ -161,7 +161,7 @@ private:
         if (c == '_' || (c == '#' && dialect_.python))
             refuse(module.place, "the symbol " + symbol,
                    dialect_.python ? "makes lines wider by what its editor says"
-                                   : "goes by a tropism of the view file");
+                                   : "goes by the older tropism, which turns by an arc sine");
         if (c == '@' || c == '?' || c == '~')
             refuse(module.place, "the symbol " + symbol, "stands before no symbol");
         if (c == '%' && (rewrites_cut_ || !module.arguments.empty())) return "X_37";
@@ -192,7 +192,49 @@ private:
         // Generalized cylinders are drawn as their axes; what follows @G otherwise means nothing there.
         if (symbol.size() == 3 && symbol.starts_with("@G") && symbol[2] != 't' && symbol[2] != 'r')
             return symbol;
+        // What the surfaces of generalized cylinders look like, and how many sides they have.
+        if (symbol == "@#") return "@contour";
+        if (symbol == "@!") return "@sides";
+        // A texture; and what only @Tp would read, which is refused.
+        if (symbol == "@Tx" || symbol == "@Tf") return symbol;
+        if (symbol == "@Ti" || symbol == "@Td" || symbol == "@Ts") return elasticity(module);
         refuse(module.place, "the command " + symbol, "has no meaning in the notation");
+    }
+
+    /// A command that changes the elasticity of a tropism of the view file. Without a number it does nothing.
+    std::string elasticity(const CpfgModule& module) const {
+        const std::string& symbol = module.symbol;
+        if (module.arguments.empty()) return symbol;
+        const std::string which = module.arguments[0].trimmed().text;
+        if (which.size() != 1 || which < "1" || which > "9")
+            refuse(module.place, symbol + " of a tropism that a number tells, " + which,
+                   "has no meaning in the notation: expected " + symbol + "(1,0.1)");
+        if (symbol != "@Ts" && module.arguments.size() == 1)
+            refuse(module.place, symbol + " without an amount",
+                   "goes by the step S: of the view file; say the amount, " + symbol + "(" + which +
+                       ",0.1)");
+        tropisms_.insert(which);
+        return symbol;
+    }
+
+    /// Their meaning, for each tropism that they change; the view file says which of them bends.
+    std::string elasticities() const {
+        static const std::vector<std::array<const char*, 3>> all{{"@Ts/1", "(i)", "(0)"},
+                                                                 {"@Ts/2", "(i,x)", "(x)"},
+                                                                 {"@Ti/2", "(i,x)", "(1,x)"},
+                                                                 {"@Td/2", "(i,x)", "(1,-x)"}};
+        std::string text;
+        for (const std::string& which : tropisms_) {
+            const std::string letter = cpfg_elastic + which;
+            text += (text.empty() ? "elasticity " : " ") + letter;
+        }
+        if (!text.empty()) text += "\n";
+        for (const auto& [kind, parameters, image] : all)
+            for (const std::string& which : tropisms_)
+                if (met_kinds_.contains(kind))
+                    text += "interpret " + std::string(kind, 3) + parameters + " : i = " + which +
+                            " -> " + cpfg_elastic + which + image + "\n";
+        return text;
     }
 
     /// What the turtle does with symbols of the file that the notation takes otherwise, for those that occur.
@@ -214,6 +256,7 @@ private:
             text +=
                 "interpret " + symbol + (met.ends_with("/1") ? "(x)" : "") + " -> " + image + "\n";
         }
+        text += elasticities();
         if (met_.contains("@O")) text += "solid X_79 sphere radius\n";
         if (met_.contains("@c")) text += "surface @c disc\n";
         return text;
@@ -221,7 +264,8 @@ private:
 
     /// Symbols that begin commands may have no rules of their own here, and contexts see commands whole.
     void check_commands() const {
-        for (const std::string& met : met_) {
+        for (const std::string& name : met_) {
+            const std::string met = name == "@contour" ? "@#" : name == "@sides" ? "@!" : name;
             if (met.size() < 2 || !is_cpfg_command(met)) continue;
             const auto check = [&](const CpfgModule& module, const char* what, bool last_too) {
                 for (std::size_t i = 0; i + (last_too ? 0 : 1) < met.size(); ++i)
@@ -439,10 +483,31 @@ private:
         }
     }
 
+    /// The first rule of the homomorphism for the module whose condition holds, and the values of its names.
+    const CpfgRule* interpreting(const CpfgModule& module, const std::set<std::string>& names,
+                                 std::map<std::string, Placed>& values) const {
+        for (const CpfgRule& rule : system_.interpretation) {
+            if (rule.predecessor.kind() != module.kind()) continue;
+            values.clear();
+            for (std::size_t i = 0; i < module.arguments.size(); ++i)
+                values.emplace(rule.predecessor.arguments[i].text, module.arguments[i]);
+            if (!rule.condition) return &rule;
+            const auto holds =
+                known("(" + expression(cpfg_with(*rule.condition, values), names) + ")");
+            if (!holds)
+                refuse(module.place,
+                       "a homomorphism with a condition on parameters of what a homomorphism gives",
+                       "has no meaning in the notation");
+            if (*holds) return &rule;
+        }
+        return nullptr;
+    }
+
     /// What a homomorphism makes of an image of it, as deep as it goes. What it would rewrite still deeper draws as the turtle takes it, so
     /// such letters get other names or, where they do nothing, are left out; % means nothing in it.
     std::vector<CpfgModule> drawn(std::vector<CpfgModule> image, std::uint64_t depth,
-                                  const std::set<std::string>& interpreted) const {
+                                  const std::set<std::string>& interpreted,
+                                  const std::set<std::string>& names) const {
         constexpr std::size_t longest = 100'000;
         constexpr std::uint64_t deepest = 1000;
         std::erase_if(image, [](const CpfgModule& module) { return module.symbol == "%"; });
@@ -457,21 +522,13 @@ private:
                 found.push_back(std::move(module));
                 continue;
             }
-            if (depth > 1) {
-                const auto rule = std::ranges::find_if(
-                    system_.interpretation,
-                    [&](const CpfgRule& one) { return one.predecessor.kind() == module.kind(); });
-                if (rule->condition)
-                    refuse(module.place,
-                           "a homomorphism with conditions of what a homomorphism gives",
-                           "has no meaning in the notation");
+            std::map<std::string, Placed> values;
+            const CpfgRule* rule = depth > 1 ? interpreting(module, names, values) : nullptr;
+            if (rule) {
                 if (depth > deepest)
                     refuse(module.place, "a homomorphism", "that is more than 1000 deep");
-                std::map<std::string, Placed> values;
-                for (std::size_t i = 0; i < module.arguments.size(); ++i)
-                    values.emplace(rule->predecessor.arguments[i].text, module.arguments[i]);
                 for (CpfgModule& one : drawn(image_of(module, *rule, values, "a homomorphism"),
-                                             depth - 1, interpreted))
+                                             depth - 1, interpreted, names))
                     found.push_back(std::move(one));
             } else if (module.symbol == "F" || module.symbol == "f" || module.symbol == "G") {
                 // Outside polygons G is a stroke as F is.
@@ -1155,8 +1212,9 @@ private:
     std::vector<CpfgRule> added_;
     bool rewrites_cut_ = false;
     mutable std::set<std::string> integer_formals_;  // of the rule whose names were asked for last
-    std::set<std::string> met_, met_kinds_;  // symbols, and with the number of their parameters
-    mutable std::size_t steps_ = 0;          // of decompositions and homomorphisms
+    std::set<std::string> met_, met_kinds_;   // symbols, and with the number of their parameters
+    mutable std::set<std::string> tropisms_;  // by number, those whose elasticity symbols change
+    mutable std::size_t steps_ = 0;           // of decompositions and homomorphisms
     mutable std::optional<std::size_t> cut_, move_, line_, polygon_;  // where the first stands
 };
 

@@ -336,7 +336,8 @@ std::vector<CpfgModule> CpfgReader::modules(const Placed& text) const {
     std::vector<CpfgModule> found;
     for (CpfgModule& module : single_modules(text)) {
         const std::string first = found.empty() ? "" : found.back().symbol;
-        if (first != "@" && first != "~" && first != "?" && (first != "@G" || dialect_.python)) {
+        const bool takes_two = !dialect_.python && (first == "@G" || first == "@T");
+        if (first != "@" && first != "~" && first != "?" && !takes_two) {
             found.push_back(std::move(module));
             continue;
         }

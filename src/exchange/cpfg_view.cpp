@@ -243,17 +243,30 @@ std::map<char, std::vector<Placed>> pull_of(const Lines& lines, const Placed& sa
 
 /// Steps bend before they are made there, by the elasticity times the sine of the angle between the heading and T.
 void set_tropism(const Lines& lines, Model& system) {
-    std::vector<std::pair<const Placed*, std::map<char, std::vector<Placed>>>> pulls;
-    const auto number = [&](const auto& pull, char letter, int otherwise) {
+    using Pull = std::map<char, std::vector<Placed>>;
+    const auto number = [&](const Pull& pull, char letter, int otherwise) {
         const auto found = pull.find(letter);
         return found == pull.end() ? quantity(otherwise) : lines.number(found->second.front());
     };
-    for (const Placed& said : lines.values("torque"))
-        if (const auto pull = pull_of(lines, said); !is_zero(number(pull, 'E', 0)))
-            lines.fail(pull.at('E').front().place(0), "a torque has no meaning in the notation");
-    for (const Placed& said : lines.values("tropism"))
-        if (auto pull = pull_of(lines, said); !is_zero(number(pull, 'E', 0)))
-            pulls.emplace_back(&said, std::move(pull));
+    // Those that bend, from the beginning or by a symbol, which knows them by number.
+    std::vector<const Placed*> all;
+    for (const char* keyword : {"tropism", "torque"})
+        for (const Placed& said : lines.values(keyword)) all.push_back(&said);
+    std::ranges::sort(all, {}, [](const Placed* said) { return said->place(0); });
+    std::vector<std::pair<const Placed*, Pull>> pulls;
+    std::vector<Symbol> elastic;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        Pull pull = pull_of(lines, *all[k]);
+        const auto changes = system.alphabet.find(cpfg_elastic + std::to_string(k + 1));
+        if (is_zero(number(pull, 'E', 0)) && !changes) continue;
+        const auto& torques = lines.values("torque");
+        if (std::ranges::any_of(torques, [&](const Placed& one) { return &one == all[k]; }))
+            lines.fail((pull.contains('E') ? pull.at('E').front() : *all[k]).place(0),
+                       "a torque has no meaning in the notation");
+        if (changes) elastic = {*changes};
+        pulls.emplace_back(all[k], std::move(pull));
+    }
+    system.drawing.elastic = elastic;
     if (pulls.empty()) return;
     if (pulls.size() > 1)
         lines.fail(
@@ -282,8 +295,14 @@ void set_tropism(const Lines& lines, Model& system) {
     };
     std::string squares;
     for (const Quantity& part : to) squares += (squares.empty() ? "" : "+") + said_of(part) + "^2";
+    // An intensity leaves a direction shorter than 1 as it is.
+    const bool is_whole = pull.contains('I') && computed(squares).value < 1;
+    const std::string length = is_whole ? "" : "/sqrt(" + squares + ")";
+    const bool changes = !elastic.empty();
+    if (changes)
+        for (Quantity& part : to) part = computed(said_of(part) + length);
     system.drawing.susceptibility =
-        computed(said_of(number(pull, 'E', 0)) + "/sqrt(" + squares + ")");
+        changes ? number(pull, 'E', 0) : computed(said_of(number(pull, 'E', 0)) + length);
     const bool upright = system.alphabet.find(cpfg_upward).has_value();
     system.drawing.tropism = upright ? Triple{to[0], computed("-" + said_of(to[2])), to[1]}
                                      : Triple{to[0], to[1], to[2]};

@@ -122,9 +122,11 @@ struct Drawing {
     std::optional<Triple> tropism;  // direction that steps bend to, as strong as it is long; none
     bool bends_before = false;      // before steps and moves, not after strokes
     std::optional<Quantity> susceptibility;  // factor on how far they bend; 1
-    std::optional<CameraSetting> camera;     // of figures in space; -60 15
-    std::optional<Direction> light;          // where it comes from; over the camera's left shoulder
-    std::optional<Quantity> fog;       // share that the farthest part takes of the background; 0
+    std::vector<Symbol>
+        elastic;  // `elasticity T`: T(e) makes the factor e, T(m,a) m times what it was and a
+    std::optional<CameraSetting> camera;  // of figures in space; -60 15
+    std::optional<Direction> light;       // where it comes from; over the camera's left shoulder
+    std::optional<Quantity> fog;          // share that the farthest part takes of the background; 0
     std::vector<std::string> colours;  // `colour`: names or #rrggbb, the first for the start, the
                                        // symbol ' goes on to the next; or one of colour_schemes()
     std::optional<std::pair<std::uint64_t, std::uint64_t>> generations;  // `generation 0..6`

@@ -499,6 +499,15 @@ void read_susceptibility(const Clause& clause, Reading& reading) {
     reading.drawing.susceptibility = numbers_of(clause, 1, "a number", reading)[0];
 }
 
+void read_elasticity(const Clause& clause, Reading& reading) {
+    reading.drawing.elastic = symbols_of(clause, reading);
+    for (const Symbol symbol : reading.drawing.elastic)
+        if (const std::string& name = reading.system.alphabet.name(symbol); is_turtle_name(name))
+            throw SyntaxError{
+                clause.value().data(),
+                "expected letters that tell the turtle nothing else, found " + quoted(name)};
+}
+
 void read_fog(const Clause& clause, Reading& reading) {
     Quantity fog = numbers_of(clause, 1, "a number", reading)[0];
     if (!(fog.value >= 0 && fog.value <= 1))
@@ -1003,6 +1012,16 @@ const std::vector<Setting>& settings() {
          outside,
          read_susceptibility,
          print_number<&Drawing::susceptibility>},
+        {{"elasticity",
+          {"elasticity T"},
+          "`T(e)` makes the susceptibility e, `T(m,a)` m times what it was and a; "
+          "[above](#in-space)",
+          "it stays"},
+         Stage::plot,
+         once,
+         outside,
+         read_elasticity,
+         [](P p) -> Values { return {p.printer.apart(p.drawing.elastic)}; }},
         {{"width",
           {"width 2"},
           "of strokes, in points of a picture of the usual size; larger pictures have wider "

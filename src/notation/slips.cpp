@@ -172,6 +172,7 @@ public:
         add(reading.system);
         for (const InnerSystem& inner : reading.system.inner) add(inner.system);
         for (const Symbol plotter : reading.drawing.plotters) make_letter(plotter);
+        for (const Symbol symbol : reading.drawing.elastic) make_letter(symbol);
         for (const auto& stamp : reading.drawing.stamps) make_letter(stamp.symbol);
         for (const auto& solid : reading.drawing.solids) make_letter(solid.symbol);
         for (const auto& surface : reading.drawing.surfaces) make_letter(surface.symbol);

@@ -254,6 +254,7 @@ Json to_json(const SystemReport& report) {
         environments.add(as_json(system.alphabet, environment));
     out.set("environments", std::move(environments));
     out.set("plot", names(system.alphabet, system.drawing.plotters));
+    out.set("elasticity", names(system.alphabet, system.drawing.elastic));
     Json stamps = Json::array();
     for (const Drawing::Stamp& stamp : system.drawing.stamps)
         stamps.add(Json{{"symbol", system.alphabet.name(stamp.symbol)},
@@ -305,6 +306,7 @@ std::string to_text(const SystemReport& report) {
         environments.push_back(print_environment(system.alphabet, environment));
     list("environments", environments);
     line("plot", joined(names(system.alphabet, system.drawing.plotters), " "));
+    line("elasticity", joined(names(system.alphabet, system.drawing.elastic), " "));
     for (const Drawing::Stamp& stamp : system.drawing.stamps)
         stamps.push_back(system.alphabet.name(stamp.symbol) + ' ' + shape_name(stamp.shape));
     list("stamps", stamps);

@@ -230,25 +230,16 @@ LSystem written(const std::string& axiom,
     return system;
 }
 
-bool is_balanced(const Word& word, const Brackets& brackets) {
-    std::size_t depth = 0;
-    for (const Symbol a : word) {
-        if (a == brackets.open) ++depth;
-        if (a == brackets.close && depth-- == 0) return false;
-    }
-    return depth == 0;
-}
-
 /// The brackets, if every word of the system is made of matching ones because no rule rewrites
 /// them and every successor matches its own.
 std::optional<Brackets> lasting_brackets(const D0L& system) {
     const auto brackets = brackets_of(*system.alphabet);
-    if (!brackets || !is_balanced(system.axiom, *brackets)) return std::nullopt;
+    if (!brackets || !brackets_match(system.axiom, *brackets)) return std::nullopt;
     for (const Symbol a : system.letters) {
         const Word& successor = system.successor(a);
         if (a == brackets->open || a == brackets->close) {
             if (successor != Word{a}) return std::nullopt;
-        } else if (!is_balanced(successor, *brackets)) {
+        } else if (!brackets_match(successor, *brackets)) {
             return std::nullopt;
         }
     }

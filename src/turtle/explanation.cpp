@@ -202,6 +202,8 @@ private:
         if (steps_.empty()) return;
         ExplainedStep& step = steps_.back();
         note_turn(after);
+        if (after.susceptibility != known_.susceptibility)
+            note("the susceptibility to the tropism is now " + rounded(after.susceptibility));
         if (after.step != known_.step) note("steps are now " + rounded(after.step) + " long");
         step.after = after;
         step.open = open_.size();

@@ -213,6 +213,9 @@ public:
             case surface:
                 leave_surface(command, amount(command, values, 1));
                 break;
+            case elasticity:
+                set_susceptibility(command, values);
+                break;
         }
     }
 
@@ -274,7 +277,14 @@ private:
     void bend(double most) {
         const Vector& to = *manner_.tropism;
         const double pull = length(cross(state_.attitude.heading(), to));
-        state_.attitude.bend(to, std::clamp(manner_.susceptibility * pull, -most, most));
+        state_.attitude.bend(to, std::clamp(state_.susceptibility * pull, -most, most));
+    }
+
+    void set_susceptibility(const TurtleCommand& command, const double* values) {
+        const double before = command.parameters > 1 ? values[0] * state_.susceptibility : 0;
+        state_.susceptibility = before + values[command.parameters > 1 ? 1 : 0];
+        if (!std::isfinite(state_.susceptibility))
+            throw TurtleRefusal{"makes the susceptibility larger than any number"};
     }
 
     void rescale(double factor) {

@@ -678,6 +678,11 @@ enum class Command : unsigned char {
     cut,            // %: the rest of the branch is left out
 };
 
+/// Whether the name alone tells a turtle something, with or without a number: F, f_x, G, +, [ and so on.
+///
+/// Example: is_turtle_name("F_a") && !is_turtle_name("A")
+bool is_turtle_name(const std::string& name);
+
 /// What each symbol makes the turtle do, after `interpret` rules, applied again and again until
 /// only symbols without one are left. Symbols that mean nothing to a turtle have no commands.
 class Commands {
@@ -737,6 +742,7 @@ struct TurtleState {
     Attitude attitude;
     double step = 1;  // length of a step, in the units of the figure
     StrokeWidth width;
+    double susceptibility = 1;    // factor on how far its steps bend to a tropism
     std::uint32_t colour = 0;     // in the list of the file
     std::optional<Colour> paint;  // instead of it, after '(r,g,b)
 };

@@ -172,6 +172,11 @@ bool take_setting(const Drawing& drawing, Symbol letter, TurtleCommand& command)
         command.leaves_plane = command.parameters > 2;
         return true;
     }
+    if ((command.parameters == 1 || command.parameters == 2) &&
+        std::ranges::count(drawing.elastic, letter) > 0) {
+        command.operation = TurtleOperation::elasticity;
+        return true;
+    }
     for (const Drawing::Stamp& stamp : drawing.stamps)
         if (stamp.symbol == letter) {
             command.operation = TurtleOperation::stamp;
@@ -231,13 +236,18 @@ TurtleOperation named_operation(const std::string& name, const Drawing& drawing,
     return nothing;
 }
 
+bool is_turtle_name(const std::string& name) {
+    return named_operation(name, Drawing{}, 1) != TurtleOperation::nothing;
+}
+
 bool turns_out_of_plane(const std::string& name) {
     return name == "&" || name == "^" || name == "\\" || name == "/" || name == "$";
 }
 
 std::uint32_t TurtleCommand::read() const {
     const bool all = operation == TurtleOperation::plot || operation == TurtleOperation::colour ||
-                     operation == TurtleOperation::solid;
+                     operation == TurtleOperation::solid ||
+                     operation == TurtleOperation::elasticity;
     return all ? parameters : std::min(parameters, 1U);
 }
 
@@ -277,11 +287,11 @@ TurtleManner turtle_manner(const Model& system, std::uint64_t generation, const 
     if (manner.clockwise) manner.angle = -manner.angle;
     manner.scale = value_or(drawing.scale, 1);
     manner.narrow = value_or(drawing.narrow, 1);
-    manner.susceptibility = value_or(drawing.susceptibility, 1);
     if (const auto& to = drawing.tropism)
         manner.tropism = Vector{to->x.value, to->y.value, to->z.value};
     manner.bends_before = drawing.bends_before;
     TurtleState& start = manner.start;
+    start.susceptibility = value_or(drawing.susceptibility, 1);
     start.step = step_length(drawing, generation, name);
     double heading = std::fmod(value_or(drawing.spin, 0) * static_cast<double>(generation), 360.0);
     if (drawing.start) {

@@ -186,6 +186,15 @@ std::optional<Brackets> brackets_of(const Alphabet& alphabet) {
     return Brackets{*open, *close};
 }
 
+bool brackets_match(const Word& word, const Brackets& brackets) {
+    std::size_t depth = 0;
+    for (const Symbol a : word) {
+        if (a == brackets.open) ++depth;
+        if (a == brackets.close && depth-- == 0) return false;
+    }
+    return depth == 0;
+}
+
 std::vector<Symbol> renaming(const Alphabet& from, const Alphabet& to) {
     std::vector<Symbol> letters;
     for (Symbol a = 0; a < from.size(); ++a) {

@@ -212,6 +212,11 @@ struct Brackets {
 /// The symbols named "[" and "]", if the alphabet has both.
 std::optional<Brackets> brackets_of(const Alphabet& alphabet);
 
+/// Whether each open bracket has its closing one behind it, and each closing one its open one.
+///
+/// Example: !brackets_match({1, 0}, Brackets{0, 1})
+bool brackets_match(const Word& word, const Brackets& brackets);
+
 /// The homomorphism from words to M with these images of the letters, indexed by symbol: what a fold works out. It is no
 /// Morphism: M is a value with context of its own (a modulus, an angle), its elements need not be words, and brackets may
 /// have a meaning there.

@@ -99,6 +99,7 @@ TEST_CASE("files of cpfg give the words that the program prints") {
         {file("A(x) : x>1 --> X\nA(y) --> Y(y)\n", "A(1)A(2)"), "Y(1)X"},
         {file("A(x) --> B(x+1)\ndecomposition\nmaximum depth: 2\nB(y) --> C(y*2)B(y)\n", "A(1)"),
          "C(4)C(4)B(2)"},
+        {file("A --> [@#(1)@Gs@!(8)F@Ge(2)]\n"), "[@contour(1)@Gs@sides(8)F@Ge(2)]"},
         {file("#ifdef LONG\nA --> BBB\n#elif defined(SHORT) && SHORT > 1\nA --> B\n#else\nA --> "
               "C\n#endif\n",
               "A", "derivation length: 1\n", "#define SHORT 2\n#if 0\n#define LONG\n#endif\n"),
@@ -373,6 +374,14 @@ TEST_CASE("a homomorphism is applied to its depth") {
     CHECK(segments("maximum depth: 3\nA --> FA\n") == Integer(3));
     CHECK(segments("F --> FF\nA --> FF\n") == Integer(2));
     CHECK(segments("maximum depth: 2\nF --> FF\nA --> FF\n") == Integer(4));
+    // Conditions that the values decide, as those of switches are; the first that holds is used.
+    const std::string switches = "maximum depth: 2\nA --> S(2)\nS(x) : x < 2 --> F\n";
+    CHECK(segments(switches + "S(x) : x == 2 --> FF\nS(x) --> FFF\n") == Integer(2));
+    CHECK(segments(switches) == Integer(0));
+    CHECK(holds(cpfg_fault(file("A(t) --> A(t)\nhomomorphism\nmaximum depth: 2\nA(t) --> S(t)\n"
+                                "S(x) : x < 2 --> F\n",
+                                "A(1)")),
+                "a homomorphism with a condition on parameters of what a homomorphism gives"));
 }
 
 TEST_CASE("the declarative part of a program of lpfg is read") {

@@ -70,6 +70,34 @@ TEST_CASE("a tropism of cpfg bends before steps and moves") {
     CHECK(near(upright, Vector{page.x, -page.z, page.y}));
 }
 
+TEST_CASE("symbols of cpfg change the elasticity of a tropism to the end of a branch") {
+    const auto end_of = [](const std::string& axiom, const std::string& view) {
+        return scene_of(with_cpfg_view(plant(axiom), view, "plant.v"), 0).end.position;
+    };
+    const Vector there{-0.744339, 0.667802, 0};
+    const std::string pull = "tropism: T: 0 -2 0 E: ";
+    for (const char* axiom :
+         {"@Ts(1,0.22)+(40)F", "@Ti(1,0.12)+(40)F", "@Ti@Td[@Ts(1,9)]@Ti(1,0.12)+(40)F",
+          "@Ts(1,0.3)@Td(1,0.08)+(40)F", "@Ts(1)@Tf@Tx(3)@Ti(1,0.22)+(40)F"})
+        CHECK(length(end_of(axiom, pull + "0.1\n") - there) < 2e-6);
+    // Symbols know tropisms and torques by their order in the file; what never bends does not matter.
+    CHECK(length(end_of("@Ti(2,0.22)+(40)F",
+                        "torque: T: 1 0 0\n" + pull + "0\ntropism: T: 1 0 0 A: 90\n") -
+                 there) < 2e-6);
+    CHECK(near(end_of("@Ti(3,9)+(90)F", pull + "0\n"), Vector{-1, 0, 0}));
+    CHECK(near(scene_of(plant("@Ts(1,3)+(90)F"), 0).end.position, Vector{-1, 0, 0}));
+    // An intensity leaves a short direction as it is.
+    CHECK(length(end_of("+(40)F", "tropism: T: 0 -0.5 0 I: 1 E: 0.44\n") - there) < 2e-6);
+    const Model written = with_cpfg_view(plant("@Ti(1,0.12)F"), pull + "0.1\n", "plant.v");
+    CHECK(read_lsystem(print_lsystem(written), "").drawing == written.drawing);
+    const auto refused = [](const std::string& axiom) { return refusal([&] { plant(axiom); }); };
+    CHECK(holds(refused("F@Ti(1)"), "@Ti without an amount goes by the step S: of the view file"));
+    CHECK(holds(refused("F@Ti(1+1,0.1)"), "@Ti of a tropism that a number tells, 1+1"));
+    CHECK(holds(refused("F@Tp"), "the command @Tp has no meaning"));
+    CHECK(holds(view_fault("@Ts(2,1)F", pull + "1\n" + pull + "0\n"), "a second tropism"));
+    CHECK(holds(view_fault("@Ts(1,1)F", "torque: T: 1 0 0\n"), "a torque has no meaning"));
+}
+
 TEST_CASE("what a view file of cpfg says otherwise than the notation is refused with its place") {
     const std::tuple<const char*, const char*, const char*> all[] = {
         {"F", "angle increment 22\n", "plant.v:1:1: error: expected `keyword: values`"},

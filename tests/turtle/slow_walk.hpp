@@ -79,13 +79,15 @@ struct Walk {
     struct State {
         Matrix frame{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
         Place here{};
-        Real diameter = -1;
+        Real diameter = -1, susceptibility = 1;
         std::optional<std::size_t> last;
     };
 
     void all(const std::vector<Module>& word) {
         std::size_t next = 0;
-        branch(word, next, State{}, 0);
+        State first;
+        first.susceptibility = susceptibility;
+        branch(word, next, first, 0);
     }
 
 private:
@@ -103,8 +105,10 @@ private:
         const Real size = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
         if (size == 0) return;
         const Place unit{axis[0] / size, axis[1] / size, axis[2] / size};
-        const Real angle = susceptibility * size;
-        state.frame = product(rotation(unit, before && angle > 1 ? 1 : angle), state.frame);
+        Real angle = state.susceptibility * size;
+        if (before && angle > 1) angle = 1;
+        if (before && angle < -1) angle = -1;
+        state.frame = product(rotation(unit, angle), state.frame);
     }
 
     void branch(const std::vector<Module>& word, std::size_t& next, State state,
@@ -146,6 +150,11 @@ private:
                         for (std::size_t j = 0; j < 3; ++j)
                             state.here[i] += state.frame[i][j] * value(j);
                     state.last.reset();
+                    break;
+                case 'E':
+                    state.susceptibility = module.values.size() == 1
+                                               ? value(0)
+                                               : value(0) * state.susceptibility + value(1);
                     break;
                 case '!':
                     state.diameter = value(0);

@@ -27,6 +27,8 @@ Module any_module(char symbol) {
     const auto size = [] { return 0.25 * (1 + below(12)); };
     if (symbol == 'B')
         for (int i = below(4); i > 0; --i) out.values.push_back(size());
+    else if (symbol == 'E')
+        for (int i = 1 + below(2); i > 0; --i) out.values.push_back(0.25 * below(9) - 0.75);
     else if (symbol == 'R')
         out.values = {degrees(), degrees(), degrees()};
     else if (symbol == 'T')
@@ -39,7 +41,7 @@ Module any_module(char symbol) {
 }
 
 std::vector<Module> any_word() {
-    const std::string symbols = "FFFFf!+-&^\\/RTB[[]]";
+    const std::string symbols = "FFFFf!+-&^\\/RTBE[[]]";
     std::vector<Module> out;
     int open = 0;
     for (int i = below(40); i > 0; --i) {
@@ -72,7 +74,7 @@ TEST_CASE("any walk in space is that of matrices and recursion") {
         const bool bends = below(2) == 1;
         std::string settings =
             "\nsolid B box height width depth\nsolid R rotation x y z\n"
-            "solid T _typeTranslation _x _y _z\n";
+            "solid T _typeTranslation _x _y _z\nelasticity E\n";
         if (bends) {
             truth.tropism = {0.5L, -1.0L, 0.25L * below(3)};
             truth.susceptibility = 0.125L * below(9);

@@ -32,6 +32,9 @@ struct CpfgDialect {
 /// The first letter of an axiom that stands the turtle up along z, where the notation looks for what is level.
 inline constexpr const char* cpfg_upward = "X_118";
 
+/// The letters that change the elasticity of a tropism, with its number in the view file: E_1.
+inline constexpr const char* cpfg_elastic = "E_";
+
 /// A text whose characters know where they stood.
 struct Placed {
     std::string text;

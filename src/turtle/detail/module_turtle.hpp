@@ -87,7 +87,8 @@ enum class TurtleOperation : std::uint8_t {
     plot,
     stamp,
     solid,
-    surface
+    surface,
+    elasticity
 };
 
 /// What a symbol means by its name, where the file does not declare it, with so many parameters.
@@ -163,7 +164,6 @@ struct TurtleManner {
     double scale = 1, narrow = 1;
     std::optional<Vector> tropism;
     bool bends_before = false;  // before steps and moves, not after strokes
-    double susceptibility = 1;
 };
 
 /// The length of a step in a generation; `name` is what messages call it. Throws Error if it is 0 or not
@@ -202,7 +202,8 @@ std::string figure_name(const LSystem& system, std::uint64_t generation);
 /// Where the file has a `tropism` T, the turtle is turned after each stroke by the angle e |H x T| in
 /// radians about H x T, so that H goes towards T, e being the `susceptibility` (Prusinkiewicz and
 /// Lindenmayer 1990, 2.3.4). T is not made a unit vector. `tropism ... before` turns it by that angle,
-/// or one radian if that is less, before each F, G and f (cpfg 4.0).
+/// or one radian if that is less, before each F, G and f (cpfg 4.0). A symbol of `elasticity` makes the
+/// susceptibility that number, or, with two, the first times what it was and the second.
 ///
 /// `interpret` rules are applied to each module, and to what they give, until none matches. Where
 /// they have probabilities, the numbers are those of Draws for the seed with all bits turned round,

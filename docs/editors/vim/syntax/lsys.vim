@@ -4,7 +4,7 @@ if exists('b:current_syntax')
 endif
 syntax case match
 syntax match lsysNumber /\%(\w\|\.\)\@<!\d\+\%(\.\d\+\)\?/
-syntax match lsysKeyword /\%(\%(^\|[;{]\)\s*\)\@<=\%(title\|source\|id\|alphabet\|let\|system\|axiom\|table\|schedule\|ignore\|terminals\|interpret\|coding\|environment\|angle\|step\|shrink\|start\|spin\|scale\|narrow\|plot\|stamp\|solid\|surface\|tropism\|susceptibility\|width\|colour\|turn\|camera\|light\|fog\|generation\|seed\|picture\|columns\|common-scale\|label\|expect\)\ze\%(\s\|{\)/
+syntax match lsysKeyword /\%(\%(^\|[;{]\)\s*\)\@<=\%(title\|source\|id\|alphabet\|let\|system\|axiom\|table\|schedule\|ignore\|terminals\|interpret\|coding\|environment\|angle\|step\|shrink\|start\|spin\|scale\|narrow\|plot\|stamp\|solid\|surface\|tropism\|susceptibility\|elasticity\|width\|colour\|turn\|camera\|light\|fog\|generation\|seed\|picture\|columns\|common-scale\|label\|expect\)\ze\%(\s\|{\)/
 syntax match lsysArrow /->\|→\|-([^()[:blank:]]*)->/
 syntax match lsysNameEnvironment /\s\@<=\%(x\|y\|z\|position\|heading\|clip\|collision\|light\|external\)\ze\%(\s\|;\|$\)/ contained
 syntax match lsysEnvironment /\%(\%(^\|[;{]\)\s*\)\@<=\%(environment\)\s[^;]*/ contains=lsysKeyword,lsysNameEnvironment,lsysNumber,lsysArrow,lsysComment

@@ -16,7 +16,13 @@ const withoutGraphviz = {
     made.onLoad({ filter: /.*/, namespace: 'none' }, () => ({ contents: "export const instance = () => Promise.reject(new Error('Graphviz is left out'));" }));
   },
 };
-const shared = { bundle: true, minify: true, charset: 'utf8', target: 'es2022', legalComments: 'none' };
+// What lines begin with, as the editors of others know it (algae lsp --editors).
+const words = ['lsys', 'claim'].flatMap((kind) => {
+  const line = readFileSync(`../../docs/editors/vim/syntax/${kind}.vim`, 'utf8').split('\n').find((one) => one.startsWith(`syntax match ${kind}Keyword`));
+  return line.split('@<=\\%(')[1].split('\\)')[0].split('\\|');
+});
+const define = { algaeKeywords: JSON.stringify([...new Set(words)].join('|')) };
+const shared = { define, bundle: true, minify: true, charset: 'utf8', target: 'es2022', legalComments: 'none' };
 const style = readFileSync('src/style.css', 'utf8');
 const frame = readFileSync('src/page.html', 'utf8').replace('/* style */', () => style);
 mkdirSync(target, { recursive: true });
@@ -36,8 +42,8 @@ if (isStatic) {
   const engine = await WebAssembly.compile(readFileSync(`${target}/engine.wasm`));
   const first = await answerOf(createRequire(import.meta.url)(`${target}/engine.js`), engine, firstQuestion(pixels), 60, () => {});
   if (first.status !== 0) throw new Error(`the first picture: ${first.said}`);
-  const define = { algaeFirst: JSON.stringify({ status: first.status, said: first.said, pixels, bytes: Buffer.from(first.bytes).toString('base64') }) };
-  const early = (await build({ ...shared, define, entryPoints: ['src/early.ts'], format: 'iife', write: false })).outputFiles[0].text;
+  const found = { algaeFirst: JSON.stringify({ status: first.status, said: first.said, pixels, bytes: Buffer.from(first.bytes).toString('base64') }) };
+  const early = (await build({ ...shared, define: found, entryPoints: ['src/early.ts'], format: 'iife', write: false })).outputFiles[0].text;
   const own = Object.values(metafile.outputs).find((one) => one.entryPoint === 'src/main.ts');
   const preloads = own.imports.filter((one) => one.kind === 'import-statement').map((one) => `<link rel="modulepreload" href="parts/${one.path.split('/').pop()}">\n`);
   const loading = `<script>

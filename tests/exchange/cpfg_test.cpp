@@ -138,7 +138,7 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
         {file("A --> g\n", "A{F}"), "g beside polygons leaves no corner"},
         {file("A --> B\n", "?(1,2)A$"), "the symbol ? begins a system within another"},
         {file("A --> @S\n"), "the command @S has no meaning"},
-        {file("A --> F(x)_(2)\n"), "the symbol _ goes by a tropism"},
+        {file("A --> F(x)_(2)\n"), "the symbol _ goes by the older tropism, which turns by an arc sine"},
         {file("](l) < A --> B\n"), "x.l:4:1: error: a bracket in a left context has no meaning"},
         {file("A] --> B\n"),
          "x.l:4:2: error: a bracket in a predecessor of several modules has no meaning"},

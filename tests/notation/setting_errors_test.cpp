@@ -316,7 +316,7 @@ TEST_CASE("views and tropisms that are none") {
     CHECK(findings("axiom S\nelasticity S F_a\n") ==
           "x.lsys:2:12: error: expected letters that tell the turtle nothing else, found 'F_a'\n"
           "  elasticity S F_a\n"
-          "             ^\n");
+          "             ^");
     CHECK(
         findings("axiom S\ntropism 0 0 0\nsusceptibility 1 2\ncamera 1\nlight 3 91\nfog 2") ==
         "x.lsys:2:9: error: expected a direction, found the zero vector\n"

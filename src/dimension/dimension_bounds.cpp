@@ -782,6 +782,7 @@ std::pair<double, double> quotients_around(const std::vector<std::vector<std::si
 
 DimensionBounds dimension_bounds(const RecurrentSet& set, const BoundsSearch& search,
                                  bool with_types, const Budget& budget) {
+    if (multiplying_components(set).size() > 1) throw Error(varying);
     return Bounds(set, search, with_types, budget).result();
 }
 

@@ -50,6 +50,63 @@ bool vanishes(const std::vector<RatioSum::Entry>& cycle, const WayGrowth& growth
     return compare(product, Ball(1, bits)) == Order::less;
 }
 
+/// The states on whose ways it depends where parts of a component lie in its states' figures.
+std::vector<bool> leading_states(const RatioGraph& graph, const Component& component) {
+    std::vector<bool> inside(graph.states.size(), false), found(graph.states.size(), false);
+    for (const std::size_t k : component.letters) inside[k] = true;
+    for (const std::size_t k : component.letters) {
+        std::vector<std::size_t> path, saved;
+        for (const RatioGraph::Part& part : graph.states[k].parts) {
+            if (part.is_fence && part.opens) {
+                saved.push_back(path.size());
+            } else if (part.is_fence) {
+                path.resize(saved.back());
+                saved.pop_back();
+            } else {
+                if (inside[part.state])
+                    for (const std::size_t before : path) found[before] = true;
+                path.push_back(part.state);
+            }
+        }
+    }
+    // Their ways are made of those of the parts outside branches.
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t k = 0; k < found.size(); ++k)
+            if (found[k])
+                for (const RatioGraph::Part* part : stem(graph.states[k]))
+                    if (!found[part->state]) found[part->state] = changed = true;
+    }
+    return found;
+}
+
+/// Whether the figures of a component become points beside the whole: all ways between its parts grow more slowly.
+bool is_point(const RatioGraph& graph, const Component& component, const WayGrowth& growth,
+              const Budget& budget) {
+    constexpr long bits = 192;
+    const std::vector<bool> leading = leading_states(graph, component);
+    RatioGraph ways;
+    ways.angle = graph.angle;
+    std::vector<std::size_t> place(graph.states.size());
+    for (std::size_t k = 0; k < leading.size(); ++k)
+        if (leading[k]) {
+            place[k] = ways.states.size();
+            ways.states.push_back(graph.states[k]);
+        }
+    for (RatioGraph::State& state : ways.states) {
+        std::vector<RatioGraph::Part> parts;
+        for (const RatioGraph::Part* part : stem(state)) {
+            parts.push_back(*part);
+            parts.back().state = place[part->state];
+        }
+        state.parts = std::move(parts);
+    }
+    const std::vector<bool> moving = moving_for_ever(ways);
+    if (std::ranges::none_of(moving, [](bool moves) { return moves; })) return true;
+    const WayGrowth own(ways, budget);
+    return compare(own.enclosure(bits), growth.enclosure(bits)) == Order::less;
+}
+
 /// The dimension of the limit curve of a parametric system whose rules multiply lengths by
 /// constants (`RatioGraph`). Where all of them are the same, it is that of the D0L system with
 /// steps of one length. Otherwise it is the similarity dimension (`RatioSum`), exact where
@@ -62,6 +119,10 @@ ExactDimension parametric_dimension(const Model& system, std::size_t ways, const
         ExactDimension found =
             ways > 0 ? exact_dimension(*equal, budget, ways) : dimension_bound(*equal, budget);
         if (found.status != Status::none) {
+            if (!has_one_length(graph)) {
+                found.boundary.reset();
+                found.limit.reset();
+            }
             found.conditions.insert(found.conditions.begin(),
                                     "every rule multiplies lengths by the same number");
             return found;
@@ -69,7 +130,7 @@ ExactDimension parametric_dimension(const Model& system, std::size_t ways, const
     }
     std::vector<bool> draws;
     for (const RatioGraph::State& state : graph.states) draws.push_back(state.draws);
-    const std::vector<bool> drawing = lasting(graph, draws);
+    const std::vector<bool> drawing = drawing_in_all(graph, draws);
     if (std::none_of(drawing.begin(), drawing.end(), [](bool lasts) { return lasts; }))
         throw Error("nothing is drawn in late generations");
     const auto growth = std::make_shared<const WayGrowth>(graph, budget);
@@ -84,12 +145,15 @@ ExactDimension parametric_dimension(const Model& system, std::size_t ways, const
         if (!component.rate) continue;
         std::vector<RatioSum::Entry> own = RatioSum::within(component, entries);
         if (*component.rate == Rate(1)) {
-            const bool draws_itself =
-                std::any_of(component.letters.begin(), component.letters.end(),
-                            [&](std::size_t k) { return graph.states[k].draws; });
-            has_segments = has_segments || (draws_itself && !vanishes(own, *growth));
+            const auto drawn =
+                std::ranges::count_if(component.letters, [&](std::size_t k) { return draws[k]; });
+            if (drawn == 0 || vanishes(own, *growth)) continue;
+            if (static_cast<std::size_t>(drawn) < component.letters.size())
+                throw Error("segments are drawn in some late generations, and not in others");
+            has_segments = true;
             continue;
         }
+        if (is_point(graph, component, *growth, budget)) continue;
         RatioSum sum(component.letters.size(), std::move(own), growth);
         const double value = sum.enclosure(64).midpoint();
         if (largest && value <= dimension) continue;
@@ -120,14 +184,10 @@ ExactDimension parametric_dimension(const Model& system, std::size_t ways, const
         }
         return found;
     }
+    if (!has_segments) throw Error(vanishing);
     found.status = Status::exact;
-    if (has_segments) {
-        found.value = found.similarity = LogRatio(Rate(2), ScalingRatio(Integer(2)));
-        found.conditions.push_back("segments stay segments");
-    } else {
-        found.value = found.similarity = LogRatio(Rate(1), ScalingRatio(Integer(2)));
-        found.conditions.push_back("the parts that are drawn do not multiply");
-    }
+    found.value = found.similarity = LogRatio(Rate(2), ScalingRatio(Integer(2)));
+    found.conditions.push_back("segments stay segments");
     return found;
 }
 
@@ -140,7 +200,6 @@ public:
     /// Without a look at where parts lie.
     ExactDimension bound() {
         begin();
-        if (out_.status == Status::exact) return out_;
         out_.status = Status::upper_bound;
         out_.value = out_.similarity;
         out_.conditions.push_back("whether parts coincide has not been looked at");
@@ -148,11 +207,43 @@ public:
     }
 
     ExactDimension result() {
-        const std::vector<std::size_t> order = begin();
-        if (out_.status == Status::exact) return out_;
+        begin();
+        std::optional<Rate> found;
+        bool certain = true;
+        for (const std::vector<std::size_t>& order : phases_) {
+            const std::optional<Rate> best = largest_of(order);
+            if (found && best && !(*best == *found)) throw Error(varying);
+            certain = certain && best;
+            if (best) found = best;
+        }
+        out_.status = certain ? Status::exact : Status::upper_bound;
+        out_.value = certain ? LogRatio(*found, ratio_) : *out_.similarity;
+        if (!certain || meets_unknown_ || phases_.size() > 1) out_.meeting.reset();
+        if (phases_.size() > 1)
+            out_.is_regular = false;
+        else if (certain && out_.value->rational() == Rational(2))
+            find_boundary();
+        return out_;
+    }
+
+private:
+    /// The similarity dimension, and the components of the phases.
+    void begin() {
+        phases_ = multiplying_components(set_);
+        const auto& list = set_.components().list;
+        std::optional<Rate> largest;
+        for (const std::vector<std::size_t>& order : phases_)
+            if (const Rate& rate = *list[order.front()].rate; !largest || rate > *largest)
+                largest = rate;
+        out_.similarity = DimensionFormula(LogRatio(*largest, ratio_));
+        out_.conditions.push_back("all parts become similar, smaller by the factor " +
+                                  ratio_.text() + " in each generation");
+    }
+
+    /// At which the different parts of the component multiply whose do it most; nothing where it is not known.
+    std::optional<Rate> largest_of(const std::vector<std::size_t>& order) {
         const auto& list = set_.components().list;
         std::optional<Rate> best;
-        bool certain = true;
         for (const std::size_t component : order) {
             const Rate& all = *list[component].rate;
             if (best && *best > all) break;
@@ -161,52 +252,10 @@ public:
                 continue;
             }
             const std::optional<Rate> rate = rate_of(component);
-            if (!rate) {
-                certain = false;
-                break;
-            }
+            if (!rate) return std::nullopt;
             if (!best || *rate > *best) best = rate;
         }
-        out_.status = certain ? Status::exact : Status::upper_bound;
-        out_.value = certain ? LogRatio(*best, ratio_) : *out_.similarity;
-        if (!certain || meets_unknown_) out_.meeting.reset();
-        if (certain && out_.value->rational() == Rational(2)) find_boundary();
-        return out_;
-    }
-
-private:
-    /// The similarity dimension; the components that are reached, those of the largest rate first.
-    std::vector<std::size_t> begin() {
-        std::vector<std::size_t> order = components();
-        if (order.empty()) {
-            const auto& all = set_.components().list;
-            if (std::ranges::any_of(all, [&](const Component& one) {
-                    return one.rate && *one.rate > Rate(1) && set_.is_reached(one.letters.front());
-                }))
-                throw Error("what is drawn grows more slowly than what only moves");
-            out_.value = out_.similarity = DimensionFormula(LogRatio(Rate(1), ratio_));
-            out_.status = Status::exact;
-            out_.conditions.push_back("the parts that are drawn do not multiply");
-            return order;
-        }
-        const auto& list = set_.components().list;
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return *list[a].rate > *list[b].rate;
-        });
-        out_.similarity = DimensionFormula(LogRatio(*list[order.front()].rate, ratio_));
-        out_.conditions.push_back("all parts become similar, smaller by the factor " +
-                                  ratio_.text() + " in each generation");
-        return order;
-    }
-
-    std::vector<std::size_t> components() const {
-        std::vector<std::size_t> found;
-        const auto& list = set_.components().list;
-        for (std::size_t k = 0; k < list.size(); ++k)
-            if (list[k].rate && *list[k].rate > Rate(1) &&
-                set_.is_reached(list[k].letters.front()) && !is_point(set_, list[k]))
-                found.push_back(k);
-        return found;
+        return best;
     }
 
     /// At which different parts multiply, if it could be found.
@@ -298,6 +347,7 @@ private:
     std::size_t ways_;
     const Budget& budget_;
     ScalingRatio ratio_;
+    std::vector<std::vector<std::size_t>> phases_;  // of late generations: their components
     bool meets_unknown_ = false;
     ExactDimension out_;
 };

@@ -771,6 +771,8 @@ std::vector<RecurrentSet::Disc> discs_of(const LatticeSet& set) {
 }
 
 LatticeSet lattice_set(const RecurrentSet& set, const Budget& budget) {
+    if (const std::size_t phases = set.unfolding().phases; phases > 1)
+        throw Error("late generations approach " + std::to_string(phases) + " sets in turn");
     for (std::int64_t shift = 0; shift < set.order(); ++shift) {
         const Reached reached = reached_in(set, shift, budget);
         if (const auto lattice = lattice_in(set, reached, shift)) {

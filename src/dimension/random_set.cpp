@@ -47,7 +47,8 @@ std::vector<std::vector<Alternative>> alternatives_of(const S0L& rules) {
     for (std::size_t a = 0; a < found.size(); ++a)
         for (const auto& [word, probability] : rules.alternatives[a]) {
             if (probability == Rational(0)) continue;
-            if (brackets && word != Word{static_cast<Symbol>(a)} && !brackets_match(word, *brackets))
+            if (brackets && word != Word{static_cast<Symbol>(a)} &&
+                !brackets_match(word, *brackets))
                 throw Error("brackets do not match within every successor");
             const auto same = std::ranges::find(found[a], word, &Alternative::word);
             if (same == found[a].end())
@@ -315,6 +316,7 @@ ExactDimension random_dimension(const Model& system, const S0L& rules, std::size
     const RandomSet random(all, alternatives, budget);
     check_ways(all, alternatives, random.all().unfolding(), budget);
     const RecurrentSet& set = random.all();
+    if (multiplying_components(set).size() > 1) throw Error(varying);
     const ExpectedParts expected = expected_parts(random);
     const Components parts = components(expected.matrix, budget);
     // Parts in one place are different ones where chance has a part in them, so points count too.

@@ -435,12 +435,12 @@ RatioGraph ratio_graph(const Model& system, const Budget& budget) {
     return found;
 }
 
-std::vector<bool> lasting(const RatioGraph& graph, const std::vector<bool>& holds) {
+std::vector<bool> drawing_in_all(const RatioGraph& graph, const std::vector<bool>& draws) {
     std::vector<std::vector<std::size_t>> parts(graph.states.size());
     for (std::size_t k = 0; k < parts.size(); ++k)
         for (const RatioGraph::Part& part : graph.states[k].parts)
             if (!part.is_fence) parts[k].push_back(part.state);
-    return lasting(parts, holds);
+    return drawing_in_all(parts, draws);
 }
 
 namespace {
@@ -456,6 +456,20 @@ bool has_one_ratio(const RatioGraph& graph) {
         }
     return true;
 }
+
+}  // namespace
+
+bool has_one_length(const RatioGraph& graph) {
+    const Expression* length = nullptr;
+    for (const RatioGraph::Part& part : graph.axiom) {
+        if (part.is_fence || !graph.states[part.state].matters) continue;
+        if (length && !(*length == part.ratio)) return false;
+        length = &part.ratio;
+    }
+    return true;
+}
+
+namespace {
 
 bool stays(const RatioGraph& graph, std::size_t k) {
     const auto& parts = graph.states[k].parts;

@@ -220,6 +220,22 @@ std::vector<bool> lasting(const std::vector<std::vector<std::size_t>>& parts,
     return kept;
 }
 
+std::vector<bool> drawing_in_all(const std::vector<std::vector<std::size_t>>& parts,
+                                 std::vector<bool> draws) {
+    std::set<std::vector<bool>> seen;
+    while (seen.size() < most_levels) {
+        std::vector<bool> next;
+        for (const auto& own : parts)
+            next.push_back(std::ranges::any_of(own, [&](std::size_t part) { return draws[part]; }));
+        if (next == draws) return draws;
+        if (!seen.insert(next).second)
+            throw Error("what draws in some late generations does not in others");
+        draws = std::move(next);
+    }
+    throw BoundReached(Bound::method, "what draws does not settle within " +
+                                          std::to_string(most_levels) + " generations");
+}
+
 std::int64_t normal_heading(std::int64_t heading, std::int64_t order) {
     heading %= order;
     return heading < 0 ? heading + order : heading;
@@ -295,16 +311,82 @@ std::pair<Unfolding, Displacement> unfolded(const Model& system, const D0L& rule
     throw EqualFactors("several scaling factors are equally large");
 }
 
-/// The pieces that lead to drawing at every later level.
+/// The pieces that lead to drawing at every later level, which does not depend on their phase.
 std::vector<bool> drawing_for_ever(const Unfolding& unfolding) {
-    std::vector<std::vector<std::size_t>> parts(unfolding.size());
-    for (std::size_t p = 0; p < unfolding.size(); ++p)
-        for (const Unfolding::Item& item : unfolding.items[p])
-            if (item.kind == Kind::piece) parts[p].push_back(item.piece);
-    return lasting(parts, unfolding.draws);
+    const std::size_t count = unfolding.letters.size();
+    std::vector<std::vector<std::size_t>> parts(count);
+    for (std::size_t a = 0; a < count; ++a)
+        for (const Unfolding::Item& item : unfolding.items[a])
+            if (item.kind == Kind::piece) parts[a].push_back(item.piece % count);
+    const std::vector<bool> draws(unfolding.draws.begin(),
+                                  unfolding.draws.begin() + static_cast<std::ptrdiff_t>(count));
+    const std::vector<bool> found = drawing_in_all(parts, draws);
+    std::vector<bool> all;
+    for (std::size_t p = 0; p < unfolding.size(); ++p) all.push_back(found[p % count]);
+    return all;
+}
+
+/// The axiom in a generation of this phase.
+std::vector<Unfolding::Item> axiom_at(const Unfolding& unfolding, std::size_t phase) {
+    const std::size_t first = phase * unfolding.letters.size();
+    std::vector<Unfolding::Item> found = unfolding.axiom;
+    std::vector<std::int64_t> saved;
+    std::int64_t heading = 0;
+    for (Unfolding::Item& item : found) {
+        if (item.kind == Kind::push) {
+            saved.push_back(heading);
+        } else if (item.kind == Kind::pop) {
+            heading = saved.back();
+            saved.pop_back();
+        } else {
+            item = {Kind::piece, first + item.piece, heading};
+            heading = normal_heading(heading + unfolding.turns[item.piece], unfolding.order);
+        }
+    }
+    return found;
+}
+
+/// Those pieces that these lead to.
+std::vector<bool> reached_from(const RecurrentSet& set, std::vector<std::size_t> open) {
+    std::vector<bool> reached(set.size(), false);
+    for (const std::size_t p : open) reached[p] = true;
+    while (!open.empty()) {
+        const std::size_t p = open.back();
+        open.pop_back();
+        for (const RecurrentSet::Part& part : set.parts(p)) {
+            if (reached[part.piece]) continue;
+            reached[part.piece] = true;
+            open.push_back(part.piece);
+        }
+    }
+    return reached;
 }
 
 }  // namespace
+
+std::vector<std::vector<std::size_t>> multiplying_components(const RecurrentSet& set) {
+    const Unfolding& unfolding = set.unfolding();
+    const auto& list = set.components().list;
+    std::vector<std::vector<std::size_t>> found;
+    for (std::size_t phase = 0; phase < unfolding.phases; ++phase) {
+        std::vector<std::size_t> begin;
+        for (const Unfolding::Item& item : axiom_at(unfolding, phase))
+            if (item.kind == Kind::piece && !set.parts(item.piece).empty())
+                begin.push_back(item.piece);
+        const std::vector<bool> reached = reached_from(set, std::move(begin));
+        std::vector<std::size_t> own;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            if (list[k].rate && *list[k].rate > Rate(1) && reached[list[k].letters.front()] &&
+                !is_point(set, list[k]))
+                own.push_back(k);
+        std::ranges::stable_sort(
+            own, [&](std::size_t a, std::size_t b) { return *list[a].rate > *list[b].rate; });
+        if (std::ranges::find(found, own) == found.end()) found.push_back(std::move(own));
+    }
+    if (std::ranges::any_of(found, [](const auto& own) { return own.empty(); }))
+        throw Error(found.size() == 1 ? vanishing : varying);
+    return found;
+}
 
 RecurrentSet::Disc around(const std::vector<RecurrentSet::Disc>& discs) {
     double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
@@ -370,19 +452,9 @@ std::vector<RecurrentSet::Part> RecurrentSet::walked(const std::vector<Unfolding
 }
 
 void RecurrentSet::find_reached() {
-    reached_.assign(size(), false);
-    std::vector<std::size_t> open;
-    const auto visit = [&](std::size_t p) {
-        if (reached_[p]) return;
-        reached_[p] = true;
-        open.push_back(p);
-    };
-    for (const Part& part : axiom_) visit(part.piece);
-    while (!open.empty()) {
-        const std::size_t p = open.back();
-        open.pop_back();
-        for (const Part& part : parts_[p]) visit(part.piece);
-    }
+    std::vector<std::size_t> begin;
+    for (const Part& part : axiom_) begin.push_back(part.piece);
+    reached_ = reached_from(*this, begin);
 }
 
 std::complex<double> RecurrentSet::direction(std::int64_t heading) const {

@@ -632,7 +632,10 @@ private:
 
 }  // namespace
 
-Operand rate_of_boundary(const Places& places) { return Boundary(places).rate(); }
+Operand rate_of_boundary(const Places& places) {
+    if (places.set.phases > 1) too_hard("late generations approach several sets in turn");
+    return Boundary(places).rate();
+}
 
 Operand rate_of_blocks(const Parts& parts, std::uint64_t levels, const Budget& budget) {
     const Blocks blocks = blocks_of(parts, levels);

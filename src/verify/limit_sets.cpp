@@ -748,34 +748,59 @@ private:
                  if (lasts[item.letter]) set_.axiom.push_back({part, heading, here});
              });
         if (set_.axiom.empty()) too_hard("nothing is drawn in late generations");
+        const auto late_at = [&](std::size_t phase) {
+            std::vector<std::size_t> begin;
+            walk(axiom_, phase, turns(first_ + phase),
+                 [&](const Item& item, std::size_t part, std::int64_t, const Row&, bool) {
+                     if (lasts[item.letter]) begin.push_back(part);
+                 });
+            return late(begin);
+        };
+        for (std::size_t phase = 1; phase < phases_; ++phase)
+            if (late_at(phase) != late_at(0))
+                too_hard("late generations are made of other parts than those before and behind");
     }
 
-    /// The letters that lead to drawing in every later generation: to a letter that comes again and leads to one that
-    /// draws.
+    /// The letters that lead to drawing in every late generation. Where it depends on the generation, there is no limit of all.
     std::vector<bool> lasting() const {
-        const std::size_t count = letters_.size();
-        std::vector<std::vector<bool>> leads(count, std::vector<bool>(count, false));
-        for (std::size_t a = 0; a < count; ++a)
-            for (const Item& item : words_[a])
-                if (!item.opens && !item.closes) leads[a][item.letter] = true;
-        for (std::size_t k = 0; k < count; ++k)
-            for (std::size_t a = 0; a < count; ++a)
-                if (leads[a][k])
-                    for (std::size_t b = 0; b < count; ++b)
-                        if (leads[k][b]) leads[a][b] = true;
-        std::vector<bool> draws;
-        for (const Symbol a : letters_) draws.push_back(std::get<2>(told(a)));
-        const auto reaches = [&](std::size_t a, const auto& which) {
-            for (std::size_t b = 0; b < count; ++b)
-                if ((a == b || leads[a][b]) && which(b)) return true;
-            return false;
-        };
-        std::vector<bool> found;
-        for (std::size_t a = 0; a < count; ++a)
-            found.push_back(reaches(a, [&](std::size_t b) {
-                return leads[b][b] && reaches(b, [&](std::size_t c) { return draws[c]; });
-            }));
-        return found;
+        std::vector<bool> now;
+        for (const Symbol a : letters_) now.push_back(std::get<2>(told(a)));
+        std::set<std::vector<bool>> seen;
+        while (seen.insert(now).second && seen.size() <= most_levels) {
+            std::vector<bool> next;
+            for (const std::vector<Item>& word : words_)
+                next.push_back(std::any_of(word.begin(), word.end(), [&](const Item& item) {
+                    return !item.opens && !item.closes && now[item.letter];
+                }));
+            if (next == now) return now;
+            now = std::move(next);
+        }
+        too_hard("what draws in some late generations does not in others");
+    }
+
+    /// Of the pieces that these lead to, those that come again or are led to by such: late ones.
+    std::set<std::size_t> late(const std::vector<std::size_t>& begin) const {
+        std::set<std::size_t> all(begin.begin(), begin.end());
+        std::vector<std::size_t> open(all.begin(), all.end());
+        std::map<std::size_t, std::size_t> above;  // how many parts of others a piece is
+        while (!open.empty()) {
+            const std::size_t piece = open.back();
+            open.pop_back();
+            for (const Seen& part : set_.parts.at(piece)) {
+                ++above[part.piece];
+                if (all.insert(part.piece).second) open.push_back(part.piece);
+            }
+        }
+        for (const std::size_t piece : all)
+            if (above[piece] == 0) open.push_back(piece);
+        while (!open.empty()) {
+            const std::size_t piece = open.back();
+            open.pop_back();
+            all.erase(piece);
+            for (const Seen& part : set_.parts.at(piece))
+                if (--above[part.piece] == 0) open.push_back(part.piece);
+        }
+        return all;
     }
 
     std::set<std::size_t> reached_from(const std::vector<std::size_t>& starts) const {

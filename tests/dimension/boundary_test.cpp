@@ -122,13 +122,13 @@ TEST_CASE("the boundary is that of the union, also where parts cover each other'
     CHECK(mixed.boundary->rational() == Rational(1));
 }
 
-TEST_CASE("a boundary with positions in no lattice of the plane is not known, and said so") {
+TEST_CASE("a boundary of sets that late generations approach in turn is not known, and said so") {
     const ExactDimension found =
         exact_dimension(read_lsystem("axiom F+F+F; F -> F+F-F+F; angle 60", ""));
     CHECK(found.value->rational() == Rational(2));
     CHECK_FALSE(found.boundary);
     CHECK(found.conditions.back() ==
-          "the boundary is not known: positions lie in no lattice of the plane");
+          "the boundary is not known: late generations approach 3 sets in turn");
 }
 
 TEST_CASE("the boundary of a tile is that of where it meets its translates") {

@@ -135,8 +135,8 @@ TEST_CASE("a bound comes without the search, and roots are written with small nu
     CHECK(found.limit);
     CHECK(found.conditions.back() == "whether parts coincide has not been looked at");
     CHECK(bound("axiom F; F -> F[+F]").status == Status::none);
-    const ExactDimension line = exact_dimension(
-        read_lsystem("axiom F; F -> GGGGGGG; G -> HH; H -> FFFFFFFFFFFFFF; angle 90", ""));
+    const ExactDimension line = exact_dimension(read_lsystem(
+        "axiom F; F -> GGGGGGG; G -> HH; H -> FFFFFFFFFFFFFF; interpret H -> F; angle 90", ""));
     CHECK(line.value->text() == "log 196^(1/3) / log 196^(1/3) = 1");
 }
 
@@ -208,4 +208,73 @@ TEST_CASE("plant f at right angles: parts in 8,301 kinds of surroundings") {
     REQUIRE(found.status == ExactDimension::Status::exact);
     CHECK(found.value->decimal(20) == "1.90932482738044322492");
     CHECK(found.value->log_ratio()->rate().degree() == 66);
+}
+
+TEST_CASE("late generations that differ from each other have no common dimension") {
+    const auto said = [](const std::string& system) {
+        const ExactDimension found = exact_dimension(read_lsystem(system, "a.lsys"));
+        return found.value ? found.value->text() : found.conditions.back();
+    };
+    // Turns that change with the parity: even generations branch, odd ones lie on a line.
+    const std::string turns =
+        "L -> KKK; A -> a; a -> A; B -> b; b -> B; C -> c; c -> C; D -> d; d -> D; interpret a -> "
+        "+; interpret b -> -; interpret c -> -; interpret d -> +; interpret A -> ++; interpret B "
+        "-> ++; interpret K -> F; interpret L -> F; angle 90";
+    CHECK(said("axiom K; K -> LALBLCLDL; " + turns) ==
+          "late generations are made of other parts than those before and behind");
+    CHECK(said("axiom K; K -(1/2)-> LALBLCLDL; K -(1/2)-> LDLCLBLAL; " + turns) ==
+          "late generations are made of other parts than those before and behind");
+    CHECK(said("axiom KL; K -> LALBLCLDL; " + turns) == "log sqrt(15) / log 3");
+    // What is drawn changes with it: Koch's curve, then Cantor's set beside it.
+    const std::string unseen = "what draws in some late generations does not in others";
+    CHECK(said("axiom KM; K -> L+L--L+L; L -> K+K--K+K; M -> NgN; N -> MhM; g -> hhh; h -> ggg; "
+               "interpret K -> F; interpret L -> f; interpret N -> F; interpret M -> f; interpret "
+               "g -> f; interpret h -> f; angle 60") == unseen);
+    CHECK(said("axiom K; K -> L+L--L+L; L -> K+K--K+K; interpret K -> F; interpret L -> f; angle "
+               "60") == unseen);
+    CHECK(said("axiom F(1)A(1); A(x) -> G(x); G(x) -> A(x); F(x) -> F(x/3)f(x/3)F(x/3); f(x) -> "
+               "f(x/3)f(x/3)f(x/3)") == unseen);
+    CHECK(said("axiom F(1)A(1); A(x) -> [C]G(x); G(x) -> [C]A(x); C -> C; F(x) -> "
+               "F(x/3)f(x/3)F(x/3); f(x) -> f(x)") == unseen);
+    // Lengths of several kinds that come in turn do not matter to the dimension.
+    CHECK(said("axiom K; K -> L+L--L+L; L -> K+K--K+K; interpret K -> F; interpret L -> FF; angle "
+               "60") == "log 4 / log 3");
+}
+
+TEST_CASE("nothing is said where what is drawn grows more slowly than what only moves") {
+    const auto said = [](const std::string& system) {
+        const ExactDimension found = exact_dimension(read_lsystem(system, "a.lsys"));
+        return found.value ? found.value->text() : found.conditions.back();
+    };
+    const std::string slower = "what is drawn grows more slowly than what only moves";
+    CHECK(said("axiom F(1)f(1); F(x) -> F(x)F(x); f(x) -> f(3*x)") == slower);
+    CHECK(said("axiom F(1)f(1); F(x) -> F(x)+(60)F(x)-(120)F(x)+(60)F(x); f(x) -> f(5*x)") ==
+          slower);
+    CHECK(said("axiom F(1); F(x) -> F(x/2)[f(x)]F(x/2)[f(3*x)]; f(x) -> f(3*x)") == slower);
+    CHECK(said("axiom Ff; F -> FF; f -> fff; angle 25.7") == slower);
+    CHECK(said("axiom Ff; F -> FF; f -> fff; angle 90") == slower);
+    CHECK(said("axiom Ff; f -> ff; angle 90") == slower);
+    CHECK(said("axiom F(1)f(1); F(x) -> F(x); f(x) -> f(2*x)") == slower);
+    // Where the moves part what is drawn, it has its dimension.
+    CHECK(said("axiom F; F -> FfF; f -> fff; angle 90") == "log 2 / log 3");
+    CHECK(said("axiom F(1); F(x) -> F(x)f(x)F(x); f(x) -> f(3*x)").find("= m^s") !=
+          std::string::npos);
+    CHECK_THROWS_AS(
+        dimension_bounds(read_lsystem("axiom Ff; F -> FF; f -> fff; angle 90", ""), {}, {}), Error);
+}
+
+TEST_CASE(
+    "axioms of several lengths have the dimension of their parts, and no boundary of one length") {
+    const std::string rules =
+        "F(x) -> -(45)F(x*r)+(90)G(x*r)-(45); G(x) -> +(45)F(x*r)-(90)G(x*r)+(45); f(x) -> "
+        "+(45)f(x*r)-(90)f(x*r)+(45)";
+    const auto dimension = [&](const std::string& axiom) {
+        return exact_dimension(
+            read_lsystem("let r = 1/sqrt(2); axiom " + axiom + "; " + rules, ""));
+    };
+    CHECK(dimension("[F(1)]F(1)").boundary);
+    const ExactDimension several = dimension("[F(10)]F(1)");
+    CHECK(several.value->rational() == Rational(2));
+    CHECK_FALSE(several.boundary);
+    CHECK_FALSE(several.limit);
 }

@@ -128,7 +128,7 @@ TEST_CASE("neighbour maps with symbols say what those in the lattice say") {
         const RatioGraph graph = ratio_graph(system);
         std::vector<bool> draws;
         for (const auto& state : graph.states) draws.push_back(state.draws);
-        const std::vector<bool> drawing = lasting(graph, draws);
+        const std::vector<bool> drawing = drawing_in_all(graph, draws);
         std::vector<std::size_t> component;
         for (std::size_t k = 0; k < drawing.size(); ++k)
             if (drawing[k]) component.push_back(k);

@@ -65,7 +65,10 @@ struct RatioGraph {
 RatioGraph ratio_graph(const Model& system, const Budget& budget = {});
 
 /// By state, whether it leads in every later generation to some state for which this holds.
-std::vector<bool> lasting(const RatioGraph& graph, const std::vector<bool>& holds);
+std::vector<bool> drawing_in_all(const RatioGraph& graph, const std::vector<bool>& draws);
+
+/// Whether all parts of the axiom that matter are of one length, as far as their formulas say.
+bool has_one_length(const RatioGraph& graph);
 
 /// The D0L system that draws the same figures with steps of the length 1, where every rule
 /// multiplies lengths by the same number and turns stay as they are: only the size of figures

@@ -102,6 +102,15 @@ std::vector<RecurrentSet::Part> parts_within(const RecurrentSet& set, std::size_
 /// Whether all of a component's pieces shrink to points.
 bool is_point(const RecurrentSet& set, const Component& component);
 
+/// Why there is no dimension of all late generations.
+inline constexpr const char
+    *vanishing = "what is drawn grows more slowly than what only moves",
+    *varying = "late generations are made of other parts than those before and behind";
+
+/// The components whose parts multiply and do not shrink to points, those of the largest rate first, that the axiom leads to in the
+/// generations of a phase; for each phase with others than those before. Throws Error where some phase has none.
+std::vector<std::vector<std::size_t>> multiplying_components(const RecurrentSet& set);
+
 /// How fast the different parts of a component multiply where parts coincide.
 struct DistinctGrowth {
     Rate rate = Rate(1);
@@ -190,6 +199,12 @@ inline double next_below(double value) {
 /// weights give, (sum of weights[column]) / weights[row] (Collatz and Wielandt).
 std::pair<double, double> quotients_around(const std::vector<std::vector<std::size_t>>& rows,
                                            const std::vector<double>& weights);
+
+/// By piece, whether it leads in so many generations to one that draws, in each late generation. Throws Error where there are late
+/// generations in which it does and others in which it does not, for one limit of all is nothing to speak of then; BoundReached where that is not
+/// seen in 10,000 generations. `parts` are the pieces of each piece.
+std::vector<bool> drawing_in_all(const std::vector<std::vector<std::size_t>>& parts,
+                                 std::vector<bool> draws);
 
 /// By piece, whether it leads to a piece for which this holds, at every later level: where it lies
 /// on a cycle of pieces that lead to one, or leads to such a cycle. `parts` are the pieces of each

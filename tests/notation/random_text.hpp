@@ -189,7 +189,9 @@ inline std::string system() {
     if (chance(20))
         out += "camera 30 (1+1) perspective\nlight 3 -90; fog 1/2 ; tropism 0 (1 < 2) -.5 before\n";
     if (chance(20))
-        out += "susceptibility 2^-2; elasticity  T_9; solid F_l _typeCone _height; solid B_2 sphere colour\n";
+        out +=
+            "susceptibility 2^-2; elasticity  T_9; solid F_l _typeCone _height; solid B_2 sphere "
+            "colour\n";
     if (chance(20)) out += "surface ~ petal ; surface D polygon (0,0,0)(1,0,0) ( 0 , 1+1,(2)) \n";
     if (chance(20)) out += "expect length 3: 148\nexpect end 2: 1/2 0\n";
     const bool tables = chance(20);

@@ -589,16 +589,10 @@ public:
           log_mu_(log(ratio())) {}
 
     DimensionBounds result() {
+        const auto phases = multiplying_components(set_);
+        if (phases.size() > 1) throw Error(varying);
         const auto& list = set_.components().list;
-        std::vector<std::size_t> order;
-        for (std::size_t k = 0; k < list.size(); ++k)
-            if (list[k].rate && *list[k].rate > Rate(1) &&
-                set_.is_reached(list[k].letters.front()) && !is_point(set_, list[k]))
-                order.push_back(k);
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return *list[a].rate > *list[b].rate;
-        });
-        for (const std::size_t component : order)
+        for (const std::size_t component : phases.front())
             open_.push_back({component, as_dimension(log(list[component].rate->enclosure(128)))});
         update_high("parts counted with multiplicity");
         try {
@@ -782,7 +776,6 @@ std::pair<double, double> quotients_around(const std::vector<std::vector<std::si
 
 DimensionBounds dimension_bounds(const RecurrentSet& set, const BoundsSearch& search,
                                  bool with_types, const Budget& budget) {
-    if (multiplying_components(set).size() > 1) throw Error(varying);
     return Bounds(set, search, with_types, budget).result();
 }
 

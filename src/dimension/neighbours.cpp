@@ -374,21 +374,6 @@ DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
     return found;
 }
 
-namespace {
-
-/// A component that is reached and multiplies the fastest.
-std::optional<std::size_t> fastest_component(const RecurrentSet& set) {
-    const auto& list = set.components().list;
-    std::optional<std::size_t> found;
-    for (std::size_t k = 0; k < list.size(); ++k)
-        if (list[k].rate && *list[k].rate > Rate(1) && set.is_reached(list[k].letters.front()) &&
-            !is_point(set, list[k]) && (!found || *list[k].rate > *list[*found].rate))
-            found = k;
-    return found;
-}
-
-}  // namespace
-
 std::optional<LimitWitness> limit_witness(const ExactDimension& found, const Budget& budget) {
     constexpr std::size_t most = 5'000;
     constexpr double slack = 1e-6;
@@ -396,14 +381,13 @@ std::optional<LimitWitness> limit_witness(const ExactDimension& found, const Bud
     if (!found.limit || !found.value || !found.value->log_ratio()) return std::nullopt;
     if (found.status != Status::exact && found.status != Status::upper_bound) return std::nullopt;
     const RecurrentSet& set = *found.limit;
-    const auto component = fastest_component(set);
-    if (!component) return std::nullopt;
+    const std::size_t component = multiplying_components(set).front().front();  // the fastest
     const Displacement& displacement = set.displacement();
     LimitWitness out;
     out.order = set.order();
     out.phases = set.unfolding().phases;
     out.factor = displacement.factor();
-    out.component = set.components().list[*component].letters.front();
+    out.component = set.components().list[component].letters.front();
     for (std::size_t i = 0; i < displacement.rank(); ++i) {
         Displacement::Vector unit = displacement.zero();
         unit[i] = 1;
@@ -432,7 +416,7 @@ std::optional<LimitWitness> limit_witness(const ExactDimension& found, const Bud
             !(*list[k].rate < found.value->log_ratio()->rate()))
             ++as_fast;
     try {
-        const Neighbours neighbours(set, *component, budget, most);
+        const Neighbours neighbours(set, component, budget, most);
         if (neighbours.parts_coincide() && as_fast > 1) return out;
         out.neighbours.emplace();
         for (const Neighbours::Pair& pair : neighbours.pairs())

@@ -64,7 +64,7 @@ public:
                 place_[a] = letters.size();
                 letters.push_back(a);
                 check_brackets(a);
-                check_polygons(a);
+                most_corners_.push_back(most_corners(a));
             }
         reduce_order();
     }
@@ -87,18 +87,21 @@ public:
 
     /// Whether the letter leaves something that is seen: a step with the pen down or a polygon of its own.
     bool draws(const LatticeMotions::value_type& motion, Symbol a) const {
-        return !motion.segments.is_zero() || most_corners(a) > 2;
+        return !motion.segments.is_zero() || most_corners_[place_[a]] > 2;
     }
 
     std::vector<Symbol> letters;
 
 private:
-    /// The most corners of a polygon that the letter fills.
+    /// The most corners of a polygon that the letter fills. The sides of one from letter to letter are as long as the figure, and no
+    /// piece has them.
     std::size_t most_corners(Symbol a) const {
+        const char* beyond = "a polygon goes on from letter to letter";
         std::vector<std::size_t> open;
         std::size_t most = 0;
         for (const Command command : commands_.of(a)) {
             if (command == Command::close_polygon) {
+                if (open.empty()) throw Error(beyond);
                 most = std::max(most, open.back());
                 open.pop_back();
             }
@@ -107,18 +110,8 @@ private:
                                    command == Command::move || command == Command::vertex;
             if (is_corner && !open.empty()) ++open.back();
         }
+        if (!open.empty()) throw Error(beyond);
         return most;
-    }
-    /// The sides of a polygon from letter to letter are as long as the figure, and no piece has them.
-    void check_polygons(Symbol a) const {
-        std::size_t open = 0;
-        bool closes_another = false;
-        for (const Command command : commands_.of(a)) {
-            if (command == Command::open_polygon) ++open;
-            if (command == Command::close_polygon) closes_another |= open-- == 0;
-            if (closes_another) break;
-        }
-        if (closes_another || open != 0) throw Error("a polygon goes on from letter to letter");
     }
     void check_brackets(Symbol a) const {
         std::size_t depth = 0;
@@ -144,6 +137,7 @@ private:
     Compass compass_;
     Commands commands_;
     std::vector<std::size_t> place_;
+    std::vector<std::size_t> most_corners_;  // by letter
     std::int64_t unit_ = 1, order_ = 1;
 };
 

@@ -249,22 +249,26 @@ void set_tropism(const Lines& lines, Model& system) {
         return found == pull.end() ? quantity(otherwise) : lines.number(found->second.front());
     };
     // Those that bend, from the beginning or by a symbol, which knows them by number.
-    std::vector<const Placed*> all;
-    for (const char* keyword : {"tropism", "torque"})
-        for (const Placed& said : lines.values(keyword)) all.push_back(&said);
-    std::ranges::sort(all, {}, [](const Placed* said) { return said->place(0); });
+    struct Line {
+        const Placed* said;
+        bool is_torque;
+    };
+    std::vector<Line> all;
+    for (const Placed& said : lines.values("tropism")) all.push_back({&said, false});
+    for (const Placed& said : lines.values("torque")) all.push_back({&said, true});
+    std::ranges::sort(all, {}, [](const Line& line) { return line.said->place(0); });
     std::vector<std::pair<const Placed*, Pull>> pulls;
     std::vector<Symbol> elastic;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        Pull pull = pull_of(lines, *all[k]);
+        const auto& [said, is_torque] = all[k];
+        Pull pull = pull_of(lines, *said);
         const auto changes = system.alphabet.find(cpfg_elastic + std::to_string(k + 1));
         if (is_zero(number(pull, 'E', 0)) && !changes) continue;
-        const auto& torques = lines.values("torque");
-        if (std::ranges::any_of(torques, [&](const Placed& one) { return &one == all[k]; }))
-            lines.fail((pull.contains('E') ? pull.at('E').front() : *all[k]).place(0),
+        if (is_torque)
+            lines.fail((pull.contains('E') ? pull.at('E').front() : *said).place(0),
                        "a torque has no meaning in the notation");
         if (changes) elastic = {*changes};
-        pulls.emplace_back(all[k], std::move(pull));
+        pulls.emplace_back(said, std::move(pull));
     }
     system.drawing.elastic = elastic;
     if (pulls.empty()) return;

@@ -756,8 +756,9 @@ private:
                  });
             return late(begin);
         };
+        const std::set<std::size_t> first = late_at(0);
         for (std::size_t phase = 1; phase < phases_; ++phase)
-            if (late_at(phase) != late_at(0))
+            if (late_at(phase) != first)
                 too_hard("late generations are made of other parts than those before and behind");
     }
 
@@ -780,17 +781,11 @@ private:
 
     /// Of the pieces that these lead to, those that come again or are led to by such: late ones.
     std::set<std::size_t> late(const std::vector<std::size_t>& begin) const {
-        std::set<std::size_t> all(begin.begin(), begin.end());
-        std::vector<std::size_t> open(all.begin(), all.end());
+        std::set<std::size_t> all = reached_from(begin);
         std::map<std::size_t, std::size_t> above;  // how many parts of others a piece is
-        while (!open.empty()) {
-            const std::size_t piece = open.back();
-            open.pop_back();
-            for (const Seen& part : set_.parts.at(piece)) {
-                ++above[part.piece];
-                if (all.insert(part.piece).second) open.push_back(part.piece);
-            }
-        }
+        for (const std::size_t piece : all)
+            for (const Seen& part : set_.parts.at(piece)) ++above[part.piece];
+        std::vector<std::size_t> open;
         for (const std::size_t piece : all)
             if (above[piece] == 0) open.push_back(piece);
         while (!open.empty()) {

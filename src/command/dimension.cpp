@@ -48,6 +48,7 @@ Measure measure_named(const std::string& option, const std::string& text) {
 // Bounds of the generation that is measured without -n; smaller if all of its word must be kept.
 constexpr std::uint64_t usual_segments = 10'000'000, usual_kept_segments = 1'000'000;
 constexpr std::uint64_t usual_letters = 100'000'000;
+constexpr std::uint64_t usual_modules = 10'000'000;      // of words that are written out
 constexpr std::uint64_t most_segments = 10'000'000'000;  // a few minutes
 constexpr std::uint64_t last_generation = 100;
 constexpr std::size_t most_scales = 20;
@@ -332,11 +333,17 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const Model& sys
     const Integer most(rules && options.measure == Measure::boxes ? usual_segments
                                                                   : usual_kept_segments);
     std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen{0, figure(system, 0, budget, choices)};
-    for (std::uint64_t n = 1; n <= last_generation; ++n) {
-        if (rules && fold(*rules, n, length_lift()) > Integer(usual_letters)) break;
-        auto next = figure(system, n, budget, choices);
-        if (next->segments() > most) break;
-        chosen = {n, std::move(next)};
+    Budget usual = budget;
+    if (!rules) usual.letters = std::min<std::uint64_t>(budget.letters, usual_modules);
+    try {
+        for (std::uint64_t n = 1; n <= last_generation; ++n) {
+            if (rules && fold(*rules, n, length_lift()) > Integer(usual_letters)) break;
+            auto next = figure(system, n, usual, choices);
+            if (next->segments() > most) break;
+            chosen = {n, std::move(next)};
+        }
+    } catch (const BoundReached& bound) {  // of words that are written out, the longest that may be
+        if (bound.bound() != Bound::letters && bound.bound() != Bound::memory) throw;
     }
     return chosen;
 }

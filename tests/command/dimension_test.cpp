@@ -147,6 +147,15 @@ TEST_CASE("dimension says when a generation is too low, and leaves it undecided"
     CHECK(low.out.find("the generation is too low: 0 scales lie between") != std::string::npos);
 }
 
+TEST_CASE(
+    "a system of many modules that draw nothing is measured in a generation that can be kept") {
+    const Run found =
+        run("dimension 'axiom F(1)A(1); A(x) -> G(x); G(x) -> A(x); F(x) -> F(x/3)f(x/3)F(x/3); "
+            "f(x) -> f(x/3)f(x/3)f(x/3)' --max-memory 1G --json");
+    CHECK(found.status == 0);
+    CHECK(json::parse(found.out)["generation"] == 14);
+}
+
 TEST_CASE("dimension reads points and images, and plots") {
     const Scratch scratch;
     std::string square = "x, y\n";

@@ -300,6 +300,10 @@ std::optional<Rational> LogRatio::rational() const {
     if (rate_ == Rate(1)) return Rational(0);
     const auto& square = ratio_.square();
     if (!square) return std::nullopt;
+    // A power b of a number of degree d has at least the degree d/b, and a power of the square at most that of the square.
+    if (rate_.minimal_polynomial().degree() >
+        largest_exponent * square->minimal_polynomial().degree())
+        return std::nullopt;
     const AlgebraicInteger rate({rate_.minimal_polynomial()},
                                 [&](long bits) { return rate_.enclosure(bits); });
     const auto half = exponent_between(rate, *square);

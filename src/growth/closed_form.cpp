@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <optional>
 #include <random>
 
 #include "exact/exact.hpp"
@@ -9,8 +11,8 @@
 // From the matrix to formulas: the shortest recurrence, the generating function and the closed form of lengths.
 //
 // The shortest recurrence is found modulo primes of 61 bits (Berlekamp and Massey), lifted to integers by the Chinese remainder
-// theorem, and only then proved: `annihilates` checks the candidate against the matrix exactly, on as many terms as there are
-// letters. Letters that grow alike are one before that (`lumped`): of 8,301 states of a plant 1,366 are left. A prime for which the sequence is simpler only costs another round. In the closed form, roots that are
+// theorem, and only then proved: the candidate is checked against the matrix exactly, on as many terms as the space has dimensions that the
+// row goes through, at most as there are letters. Letters that grow alike are one before that (`lumped`): of 8,301 states of a plant 1,366 are left. A prime for which the sequence is simpler only costs another round. In the closed form, roots that are
 // zeta times one number for roots of unity zeta are taken together, so that periodic factors appear as residues of n
 // and not as complex roots. What has no form that a person would write stays enclosed, and the text says so.
 
@@ -40,33 +42,51 @@ std::vector<Integer> image(const Polynomial& p, const std::vector<Integer>& row,
     return sum;
 }
 
-/// The numbers row * matrix^n * column modulo a prime, for n < 2 size.
-std::vector<Residue> residues_of(const std::vector<Integer>& row, const GrowthMatrix& matrix,
-                                 const std::vector<Integer>& column, const PrimeField& field) {
+/// The numbers row * matrix^n * column modulo a prime, as many of them as are asked for.
+class ResidueTerms {
+public:
+    ResidueTerms(const std::vector<Integer>& row, const GrowthMatrix& matrix,
+                 const std::vector<Integer>& column, const PrimeField& field)
+        : field_(field), rows_(matrix.size()) {
+        for (std::size_t i = 0; i < matrix.size(); ++i)
+            for (const auto& [j, times] : matrix.rows[i])
+                rows_[i].push_back({j, field.residue(times)});
+        for (const Integer& x : row) now_.push_back(field.residue(x));
+        for (const Integer& x : column) end_.push_back(field.residue(x));
+    }
+
+    /// The first ones.
+    const std::vector<Residue>& first(std::size_t count, const Budget& budget) {
+        while (found_.size() < count) {
+            budget.check();
+            Residue sum = 0;
+            for (std::size_t i = 0; i < now_.size(); ++i)
+                sum = field_.add(sum, field_.multiply(now_[i], end_[i]));
+            found_.push_back(sum);
+            std::vector<Residue> next(now_.size(), 0);
+            for (std::size_t i = 0; i < now_.size(); ++i)
+                if (now_[i] != 0)
+                    for (const auto& [j, times] : rows_[i])
+                        next[j] = field_.add(next[j], field_.multiply(now_[i], times));
+            now_ = std::move(next);
+        }
+        return found_;
+    }
+
+private:
     struct Entry {
         std::size_t column;
         Residue times;
     };
-    std::vector<std::vector<Entry>> rows(matrix.size());
-    for (std::size_t i = 0; i < matrix.size(); ++i)
-        for (const auto& [j, times] : matrix.rows[i]) rows[i].push_back({j, field.residue(times)});
-    std::vector<Residue> now, end, found;
-    for (const Integer& x : row) now.push_back(field.residue(x));
-    for (const Integer& x : column) end.push_back(field.residue(x));
-    for (std::size_t n = 0; n < 2 * matrix.size(); ++n) {
-        Residue sum = 0;
-        for (std::size_t i = 0; i < now.size(); ++i)
-            sum = field.add(sum, field.multiply(now[i], end[i]));
-        found.push_back(sum);
-        std::vector<Residue> next(now.size(), 0);
-        for (std::size_t i = 0; i < now.size(); ++i)
-            if (now[i] != 0)
-                for (const auto& [j, times] : rows[i])
-                    next[j] = field.add(next[j], field.multiply(now[i], times));
-        now = std::move(next);
-    }
-    return found;
-}
+
+    const PrimeField& field_;
+    std::vector<std::vector<Entry>> rows_;
+    std::vector<Residue> now_, end_, found_;
+};
+
+/// The coefficients of `shortest_recurrence_modulo`.
+std::vector<Residue> recurrence_modulo(const std::vector<Residue>& terms, const PrimeField& field,
+                                       const Budget& budget);
 
 /// A row, a matrix and a column that give the same numbers row * matrix^n * column.
 struct Lumped {
@@ -150,10 +170,13 @@ struct Reconstruction {
 
 }  // namespace
 
-bool annihilates(const Polynomial& p, const std::vector<Integer>& row, const GrowthMatrix& matrix,
-                 const std::vector<Integer>& column, const Budget& budget) {
-    std::vector<Integer> rest = image(p, row, matrix, budget);
-    for (std::size_t n = 0; n < matrix.size() && !is_zero(rest); ++n) {
+namespace {
+
+/// Whether the sequence rest * matrix^n * column is 0 for the first n, or `rest` becomes 0 before.
+bool begins_with_zeros(std::vector<Integer> rest, const GrowthMatrix& matrix,
+                       const std::vector<Integer>& column, std::size_t count,
+                       const Budget& budget) {
+    for (std::size_t n = 0; n < count && !is_zero(rest); ++n) {
         budget.check();
         if (!dot(rest, column).is_zero()) return false;
         rest = rest * matrix;
@@ -161,18 +184,32 @@ bool annihilates(const Polynomial& p, const std::vector<Integer>& row, const Gro
     return true;
 }
 
-Polynomial annihilator(const std::vector<Integer>& all_row, const GrowthMatrix& all,
-                       const std::vector<Integer>& all_column, const Budget& budget) {
-    const auto [row, matrix, column] = lumped(all_row, all, all_column, budget);
+/// The recurrence of the sequence row * matrix^n * column, a candidate at a time, until one is proved; nothing after so many that
+/// are not.
+template <class Proves>
+std::optional<Polynomial> recurrence(const std::vector<Integer>& row, const GrowthMatrix& matrix,
+                                     const std::vector<Integer>& column, Proves proves,
+                                     std::size_t most_candidates, const Budget& budget) {
     Reconstruction found;
     std::size_t order = 0;
+    // Twice as many terms as there are states decide. Mostly far fewer do, some more than twice the order; where these were too few, the
+    // candidate fails.
+    constexpr std::size_t margin = 64;
+    const std::size_t all_terms = 2 * matrix.size();
+    std::size_t failed = 0;
     WorkCount primes("prime modulus");
-    for (Residue prime = prime_below(Residue{1} << 61);; prime = prime_below(prime)) {
+    for (Residue prime = prime_below(Residue{1} << 61); failed < most_candidates;
+         prime = prime_below(prime)) {
         budget.check();
         ++primes;
         const PrimeField field(prime);
-        const std::vector<Residue> polynomial =
-            shortest_recurrence_modulo(residues_of(row, matrix, column, field), field);
+        ResidueTerms terms(row, matrix, column, field);
+        std::vector<Residue> polynomial;
+        for (std::size_t count = failed == 0 ? 2 * order + margin : all_terms;; count *= 2) {
+            count = std::min(count, all_terms);
+            polynomial = recurrence_modulo(terms.first(count, budget), field, budget);
+            if (count == all_terms || count >= 2 * (polynomial.size() - 1) + margin) break;
+        }
         if (polynomial.size() < order + 1) continue;  // a prime for which the sequence is simpler
         bool stands = false;
         if (polynomial.size() > order + 1 || found.values.empty()) {
@@ -185,18 +222,48 @@ Polynomial annihilator(const std::vector<Integer>& all_row, const GrowthMatrix& 
         }
         if (!stands) continue;
         Polynomial candidate(found.values);
-        if (annihilates(candidate, row, matrix, column, budget)) return candidate;
+        if (proves(candidate)) return candidate;
+        ++failed;
     }
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool annihilates(const Polynomial& p, const std::vector<Integer>& row, const GrowthMatrix& matrix,
+                 const std::vector<Integer>& column, const Budget& budget) {
+    return begins_with_zeros(image(p, row, matrix, budget), matrix, column, matrix.size(), budget);
+}
+
+Polynomial annihilator(const std::vector<Integer>& all_row, const GrowthMatrix& all,
+                       const std::vector<Integer>& all_column, const Budget& budget) {
+    const auto [row, matrix, column] = lumped(all_row, all, all_column, budget);
+    // What is left of the row goes through a space of as many dimensions as the row does, mostly few of all.
+    std::optional<std::size_t> dimensions;
+    const auto proves = [&, &row = row, &matrix = matrix,
+                         &column = column](const Polynomial& candidate) {
+        const std::size_t degree = candidate.coefficients().size();
+        if (!dimensions)
+            dimensions = 4 * degree < matrix.size()
+                             ? annihilator(row, matrix, budget).coefficients().size() - 1
+                             : matrix.size();
+        return begins_with_zeros(image(candidate, row, matrix, budget), matrix, column, *dimensions,
+                                 budget);
+    };
+    return *recurrence(row, matrix, column, proves, std::numeric_limits<std::size_t>::max(),
+                       budget);
 }
 
 Polynomial annihilator(const std::vector<Integer>& row, const GrowthMatrix& matrix,
                        const Budget& budget) {
+    const auto proves = [&](const Polynomial& candidate) {
+        return is_zero(image(candidate, row, matrix, budget));
+    };
     std::mt19937_64 random(2026);
     for (;;) {
         std::vector<Integer> column(row.size());
         for (Integer& x : column) x = static_cast<long>(random() >> 34);
-        Polynomial found = annihilator(row, matrix, column, budget);
-        if (is_zero(image(found, row, matrix, budget))) return found;
+        if (const auto found = recurrence(row, matrix, column, proves, 3, budget)) return *found;
     }
 }
 
@@ -265,12 +332,13 @@ struct Rationals {
 /// the order, from which on it holds (Berlekamp 1968, Massey 1969).
 template <class Field, class Number>
 std::pair<std::vector<Number>, std::size_t> connection(const std::vector<Number>& terms,
-                                                       const Field& field) {
+                                                       const Field& field, const Budget& budget) {
     const Number zero(0);
     std::vector<Number> now{Number(1)}, before = now;  // before the last jump
     std::size_t order = 0, shift = 1;
     Number last(1);
     for (std::size_t n = 0; n < terms.size(); ++n, ++shift) {
+        budget.check();
         Number wrong = zero;
         for (std::size_t i = 0; i < now.size() && i <= n; ++i)
             if (now[i] != zero) wrong = field.add(wrong, field.multiply(now[i], terms[n - i]));
@@ -291,18 +359,23 @@ std::pair<std::vector<Number>, std::size_t> connection(const std::vector<Number>
     return {std::move(now), order};
 }
 
-}  // namespace
-
-std::vector<Residue> shortest_recurrence_modulo(const std::vector<Residue>& terms,
-                                                const PrimeField& field) {
-    auto [found, order] = connection(terms, field);
+std::vector<Residue> recurrence_modulo(const std::vector<Residue>& terms, const PrimeField& field,
+                                       const Budget& budget) {
+    auto [found, order] = connection(terms, field, budget);
     found.resize(order + 1, 0);
     std::reverse(found.begin(), found.end());
     return found;
 }
 
+}  // namespace
+
+std::vector<Residue> shortest_recurrence_modulo(const std::vector<Residue>& terms,
+                                                const PrimeField& field) {
+    return recurrence_modulo(terms, field, {});
+}
+
 SequenceSpecification recurrence_of_terms(const std::vector<Rational>& terms) {
-    const auto [found, order] = connection(terms, Rationals());
+    const auto [found, order] = connection(terms, Rationals(), {});
     SequenceSpecification result;
     for (std::size_t i = 1; i < found.size(); ++i) result.coefficients.push_back(-found[i]);
     while (!result.coefficients.empty() && result.coefficients.back().is_zero())

@@ -156,3 +156,38 @@ TEST_CASE("primes and inverses") {
         CHECK(field.multiply(x, field.inverse(x)) == 1);
     CHECK(field.residue(Integer(-1)) == field.prime() - 1);
 }
+
+TEST_CASE(
+    "sequences whose beginning is simpler than they are have the recurrence of all of their "
+    "terms") {
+    std::size_t late = 0;
+    CHECK(rc::check([&] {
+        // A chain of states that leads to a small system: until then there is one letter.
+        const D0L system = any_small_system();
+        const GrowthMatrix small = growth_matrix(system);
+        const auto chain = *rc::gen::inRange<std::size_t>(0, 250);
+        GrowthMatrix matrix;
+        for (std::size_t i = 0; i < chain; ++i) matrix.rows.push_back({{i + 1, Integer(1)}});
+        for (const auto& entries : small.rows) {
+            auto& row = matrix.rows.emplace_back();
+            for (const auto& [to, times] : entries) row.push_back({to + chain, times});
+        }
+        std::vector<Integer> row(matrix.size()), column(matrix.size(), 1);
+        row[0] = 1;
+        const Polynomial found = annihilator(row, matrix, column);
+        late += chain > 80 ? 1 : 0;
+        const PrimeField field(prime_below(Residue{1} << 60));
+        std::vector<Residue> terms;
+        std::vector<Integer> now = row;
+        for (std::size_t n = 0; n < 2 * matrix.size(); ++n) {
+            Integer sum = 0;
+            for (const Integer& x : now) sum += x;
+            terms.push_back(field.residue(sum));
+            now = now * matrix;
+        }
+        std::vector<Residue> coefficients;
+        for (const Integer& x : found.coefficients()) coefficients.push_back(field.residue(x));
+        RC_ASSERT(coefficients == shortest_recurrence_modulo(terms, field));
+    }));
+    CHECK(late > 10);
+}

@@ -279,7 +279,7 @@ public:
         system_.axiom = words_.front().second.text;
         for (std::size_t i = 1; i < words_.size(); ++i)
             system_.rules.emplace_back(words_[i].first, words_[i].second.text);
-        return read_lsystem(brno_notation(system_), name_);
+        return read_written(brno_notation(system_), name_);
     }
 
 private:
@@ -492,6 +492,7 @@ public:
     BrnoSystem written() {
         check_plain_rules(false);
         check_plain_settings();
+        if (!system_.coding.empty()) refuse("a coding");
         check_start();
         out_.axiom = letters(system_.axiom.letters, "the axiom");
         std::map<char, std::string> rules;

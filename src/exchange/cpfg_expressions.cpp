@@ -25,6 +25,7 @@ struct Expressions {
     const CpfgIntegers& integers;
     std::size_t at = 0;
     bool integral = false;  // in C, what was read last is a whole number by its type
+    bool is_truth = false;  // what was read last is 1 or 0, by a comparison
 
     std::string all() {
         std::string found = whole();
@@ -109,8 +110,9 @@ struct Expressions {
         bool compared = false;
         while (const Operator* one = taken(levels()[level])) {
             const std::size_t sign = at;
-            const bool left_integral = integral;
+            const bool left_integral = integral, left_is_truth = is_truth;
             const std::string right = binary(level + 1);
+            is_truth = level <= 2 && (level == 2 || (left_is_truth && is_truth));
             const bool both = left_integral && integral;
             integral = both || level < 4;  // relations are 0 or 1
             const bool compares = python() && level == 2;
@@ -118,7 +120,12 @@ struct Expressions {
                 cpfg_refuse(source, text.place(sign), "a chain of comparisons",
                             "is not read: say `a < b and b < c`");
             compared = compares;
-            if (dialect.plus && both && one->sign == "/") {
+            if (python() && level < 2 &&
+                !is_truth) {  // one of the two sides, and not whether it holds
+                check_size(left + right);
+                left = level == 1 ? "((" + left + " != 0)*" + right + ")"
+                                  : "(" + left + " + (" + left + " = 0)*" + right + ")";
+            } else if (dialect.plus && both && one->sign == "/") {
                 check_size(left + right);
                 left = whole_part("(" + left + "/" + right + ")");
             } else if (one->sign != "%")
@@ -187,8 +194,16 @@ struct Expressions {
     }
     /// Of Python: from the right, and a sign is looser.
     std::string signed_power() {
-        if (takes("-")) return "(-" + signed_power() + ")";
-        if (takes("not ")) return "(!(" + signed_power() + "))";
+        if (takes("-")) {
+            const std::string said = "(-" + signed_power() + ")";
+            is_truth = false;
+            return said;
+        }
+        if (takes("not ")) {
+            const std::string said = "(!(" + signed_power() + "))";
+            is_truth = true;
+            return said;
+        }
         const std::string base = atom();
         if (!takes("**")) {
             blanks();
@@ -197,10 +212,13 @@ struct Expressions {
                             "is exclusive or in Python: a power is **");
             return base;
         }
-        return "((" + base + ")^(" + signed_power() + "))";
+        const std::string said = "((" + base + ")^(" + signed_power() + "))";
+        is_truth = false;
+        return said;
     }
     std::string atom() {
         blanks();
+        is_truth = false;
         const std::size_t begin = at;
         if (takes("(")) {
             const std::string inside = whole();
@@ -233,6 +251,7 @@ struct Expressions {
         std::vector<std::string> arguments{whole()};
         while (takes(",")) arguments.push_back(whole());
         if (!takes(")")) unexpected();
+        is_truth = false;
         const bool was_integral = integral;
         integral = called == "int" || (called == "abs" && was_integral && arguments.size() == 1);
         if (called == "int" && was_integral && arguments.size() == 1) return arguments[0];
@@ -300,6 +319,11 @@ struct Expressions {
             digits.find('.') == std::string::npos)
             cpfg_fail(source, text.place(at),
                       "the exponent of a number needs a decimal point: 1.0e5");
+        if ((python() || dialect.plus) && integral && digits.size() > 1 && digits[0] == '0')
+            cpfg_fail(source, text.place(at),
+                      python()
+                          ? "a number begins with 0, which Python refuses: say it without the 0"
+                          : "a number that begins with 0 is octal in C: say it without the 0");
         at += size;
         digits = plain_number(digits);
         if (digits.starts_with('.')) digits = "0" + digits;

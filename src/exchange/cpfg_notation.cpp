@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exchange/detail/cpfg.hpp"
+#include "exchange/detail/plain_rules.hpp"
 #include "exchange/detail/scanner.hpp"
 #include "model/model.hpp"
 
@@ -37,13 +38,7 @@ public:
         if (system_.axiom.text.empty())
             fail(0, std::string("expected a line `Axiom: ") + (dialect_.plus ? "F(1);" : "F") +
                         "`, found none");
-        const std::string text = notation();
-        try {
-            return read_lsystem(text, source_.file());
-        } catch (const Diagnostics& error) {
-            // What the notation refuses of a text that is written here is refused as a whole.
-            fail(0, "the notation cannot say this system: " + error.findings().front().message);
-        }
+        return read_written(notation(), source_.file());
     }
 
 private:

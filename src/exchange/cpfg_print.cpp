@@ -229,6 +229,9 @@ private:
             add(rule.successor);
             add_numbers(rule.successor);
         }
+        for (const Symbol letter : by_numbers)
+            if (name(letter) == "g" && !interpreted.contains({letter, 1}))
+                out += nothing(name(letter) + "(x)");
         if (says_step())
             for (const Symbol letter : by_numbers)
                 if (steps(letter) && !interpreted.contains({letter, 1}))
@@ -236,6 +239,7 @@ private:
                            amount(*system_.drawing.step) + ")\n";
         for (const Symbol letter : bare) {
             if (interpreted.contains({letter, 0})) continue;
+            if (name(letter) == "g") out += nothing(name(letter));
             if (const std::string drawn = turned(letter); !drawn.empty())
                 out += symbol(letter) + " --> " + drawn + "\n";
         }
@@ -252,6 +256,11 @@ private:
             out += line(rule, true) + "\n";
         }
         return out;
+    }
+
+    /// That a module which moves the turtle there does nothing.
+    std::string nothing(const std::string& module) const {
+        return module + " -->" + (python_ ? "" : " *") + "\n";
     }
 
     /// What the turtle does with a symbol without a number where that is other than there: + by 60 degrees is +(60), and -(60) where turns are

@@ -116,6 +116,8 @@ struct Command {
     std::string text() const { return letter + number; }
 };
 
+constexpr unsigned colours = 256;
+
 bool takes_number(char c) { return std::string_view("@/\\c<>").find(c) != std::string_view::npos; }
 
 std::vector<Command> commands_of(const PlacedWord& word) {
@@ -144,8 +146,8 @@ std::string digits_of(const std::string& number) {
     const std::size_t first = std::min(number.find_first_not_of("qi"), number.size());
     const std::string digits = number.substr(first);
     if (digits.find_first_not_of("0.") == std::string::npos) return {};
-    if (std::ranges::count(digits, '.') > 1) return {};
-    std::string plain = plain_number(digits);
+    // The program reads no further than to a second point.
+    std::string plain = plain_number(digits.substr(0, digits.find('.', digits.find('.') + 1)));
     return plain.starts_with('.') ? "0" + plain : plain;
 }
 
@@ -178,7 +180,7 @@ public:
         findings_.throw_if_any();
         const std::string text = notation(entry);
         findings_.throw_if_any();
-        return read_lsystem(text, source_.file());
+        return read_written(text, source_.file());
     }
 
 private:
@@ -241,8 +243,7 @@ private:
         if (at == text.size()) return true;
         const std::size_t end = word_end(text, at, true);
         const std::size_t place = line.offset + at;
-        std::string first;
-        for (const char c : text.substr(at, end - at)) first += lower(c);
+        const std::string first = word(line, at, end).text;
         if (first.empty()) fail(place, "expected a symbol before '='");
         if (first == "}") return false;
         if (first == "axiom" || first == "angle") {
@@ -290,10 +291,15 @@ private:
                        quoted(line.text.substr(next, word_end(line.text, next, false) - next)));
     }
 
-    static PlacedWord word(const Line& line, std::size_t from, std::size_t to) {
+    PlacedWord word(const Line& line, std::size_t from, std::size_t to) const {
         PlacedWord out;
-        for (std::size_t i = from; i < to; ++i)
+        for (std::size_t i = from; i < to; ++i) {
+            if (static_cast<unsigned char>(text_[line.offset + i]) >= 0x80)
+                fail(line.offset + i,
+                     "expected symbols of ASCII, found the byte " +
+                         std::to_string(static_cast<unsigned char>(text_[line.offset + i])));
             out.add(std::string(1, lower(line.text[i])), line.offset + i);
+        }
         return out;
     }
 
@@ -415,7 +421,6 @@ private:
 
     /// The state behind a command.
     void pass(const Command& one, State& state) {
-        constexpr unsigned colours = 256;
         const Rational unit = Rational(360) / Rational(angle_);
         const int side = state.swapped ? -1 : 1;
         switch (one.letter) {
@@ -580,7 +585,6 @@ private:
     }
 
     std::string meaning_in(const Command& one, const State& state, const std::string& name) const {
-        constexpr unsigned colours = 256;
         const std::string meaning = meaning_of(one);
         if (one.letter == '<' || one.letter == '>') {
             const unsigned by = count_of(one) % colours;
@@ -620,7 +624,7 @@ private:
             case '@':
                 return "*(" + number + ")";
             case 'c':
-                return "'(" + number + ")";
+                return fmt::format("'({})", count_of(one) % colours);
             case '[':
                 return "[";
             case ']':

@@ -74,6 +74,13 @@ public:
                 at_ = end;
             } else if (text_.substr(at_).starts_with("<!--")) {
                 skip("-->", "the comment is never closed");
+            } else if (text_.substr(at_).starts_with("<![CDATA[")) {
+                const std::size_t begin = at_ + std::string_view("<![CDATA[").size();
+                skip("]]>", "<![CDATA[ is never closed");
+                if (open.empty()) fail(begin, "expected an element of XML, found text");
+                JflapToken& text = open.back().text;
+                if (text.text.empty()) text.offset = begin;
+                text.text += text_.substr(begin, at_ - 3 - begin);
             } else if (text_.substr(at_).starts_with("<?") || text_.substr(at_).starts_with("<!")) {
                 skip(">", "'<' is never closed");
             } else {

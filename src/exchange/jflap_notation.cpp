@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "exchange/detail/jflap.hpp"
+#include "exchange/detail/plain_rules.hpp"
 #include "exchange/detail/scanner.hpp"
 #include "model/model.hpp"
 #include "turtle/turtle.hpp"
@@ -46,7 +47,7 @@ public:
         std::string rules = "axiom " + word(system_.axiom, start) + "\n";
         rules += rules_text();
         findings_.throw_if_any();
-        return read_lsystem((alphabet_.empty() ? "" : "alphabet" + alphabet_ + "\n") + rules +
+        return read_written((alphabet_.empty() ? "" : "alphabet" + alphabet_ + "\n") + rules +
                                 interpretation_ + settings(),
                             source_.file());
     }

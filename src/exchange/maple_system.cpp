@@ -7,6 +7,7 @@
 
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/maple.hpp"
+#include "exchange/detail/plain_rules.hpp"
 #include "model/model.hpp"
 
 // Systems from Maple worksheets: the three procedures Lsystem and what their arguments mean.
@@ -497,12 +498,7 @@ Model read_maple(std::string_view text, const std::string& name) {
     read_start(values, form, system);
     read_generation(values, arguments.back(), system);
     system.constants = values.constants();
-    try {
-        return read_lsystem(print_lsystem(system), name);
-    } catch (const Diagnostics& error) {
-        scanner.fail_at(sheet.call, fmt::format("this system cannot be said in the notation: {}",
-                                                error.findings().front().message));
-    }
+    return read_written(print_lsystem(system), name);
 }
 
 }  // namespace algae

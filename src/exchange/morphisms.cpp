@@ -89,7 +89,7 @@ Model model_of(const Written& written, const std::string& name, const std::strin
     }
     for (const auto& [letter, image] : written.coding)
         coding += (coding.empty() ? "" : "; ") + letter + " -> " + image;
-    return read_lsystem((title.empty() ? "" : "title " + title + "\n") +
+    return read_written((title.empty() ? "" : "title " + title + "\n") +
                             (longer.empty() ? "" : "alphabet" + longer + "\n") + "axiom " +
                             written.axiom + "\n" + rules +
                             (coding.empty() ? "" : "coding { " + coding + " }\n"),
@@ -505,12 +505,35 @@ private:
 
 // Sage.
 
+/// The text with blanks instead of comments, from `#` to the end of a line, outside quotation marks.
+std::string without_python_comments(std::string_view text) {
+    std::string out(text);
+    char mark = 0;
+    bool is_comment = false;
+    for (char& c : out) {
+        if (c == '\n') {
+            mark = 0;
+            is_comment = false;
+        } else if (is_comment || (c == '#' && mark == 0)) {
+            is_comment = true;
+            c = ' ';
+        } else if (mark == 0 && (c == '\'' || c == '"')) {
+            mark = c;
+        } else if (c == mark) {
+            mark = 0;
+        }
+    }
+    return out;
+}
+
 class SageReader {
 public:
-    SageReader(std::string_view text, const std::string& name) : text_(text, name) {}
+    SageReader(std::string_view text, const std::string& name)
+        : text_(text, name), said_(without_python_comments(text)) {}
 
     Model read() {
-        const std::string_view text = text_.text();
+        const std::string_view text = said_;
+        check_operations();
         Written written;
         std::size_t end = 0;
         const auto first = quoted_morphism(0, end);
@@ -542,23 +565,48 @@ public:
             return (rule.first == "[" || rule.first == "]") &&
                    rule.second == std::vector<std::string>{rule.first};
         });
-        try {
-            return model_of(written, text_.file());
-        } catch (const Diagnostics& error) {
-            // What the notation refuses of a text that is written here is refused as a whole.
-            text_.fail(offset(first), "the notation cannot say this morphism: " +
-                                          error.findings().front().message);
-        }
+        return model_of(written, text_.file());
     }
 
 private:
     std::size_t offset(std::string_view part) const {
-        return static_cast<std::size_t>(part.data() - text_.text().data());
+        return static_cast<std::size_t>(part.data() - said_.data());
+    }
+
+    /// Refuses what makes another morphism than the one that stands there.
+    void check_operations() const {
+        char mark = 0;
+        for (std::size_t i = 0; i < said_.size(); ++i) {
+            const char c = said_[i];
+            if (c == '\n') mark = 0;
+            if (mark != 0) {
+                if (c == mark) mark = 0;
+                continue;
+            }
+            if (c == '\'' || c == '"') mark = c;
+            const std::size_t line = said_.rfind('\n', i) + 1;
+            const std::string_view before = trimmed(std::string_view(said_).substr(line, i - line));
+            if (c == '^' || (c == '*' && !before.ends_with("import")))
+                text_.fail(i,
+                           "powers and products make other morphisms, which are not computed here; "
+                           "expected "
+                           "WordMorphism('a->ab,b->a') and a call such as m('a', 5)");
+            static constexpr std::string_view other[] = {
+                "reversal", "conjugate",          "restrict_domain", "extend_by",
+                "dual_map", "list_of_conjugates", "inverse"};
+            if (c == '.')
+                for (const std::string_view method : other)
+                    if (std::string_view(said_).substr(i + 1).starts_with(method))
+                        text_.fail(
+                            i, "." + std::string(method) +
+                                   " makes another morphism, which is not computed here; expected "
+                                   "WordMorphism('a->ab,b->a') and a call such as m('a', 5)");
+        }
     }
 
     /// What stands between the quotation marks of the next WordMorphism(...); the whole text where the word is missing.
     std::string_view quoted_morphism(std::size_t from, std::size_t& end) const {
-        const std::string_view text = text_.text();
+        const std::string_view text = said_;
         constexpr std::string_view word = "WordMorphism";
         const std::size_t at = text.find(word, from);
         if (at == std::string_view::npos) {
@@ -625,7 +673,7 @@ private:
 
     /// The word of a call m('...', n) or of m.fixed_point('a'); empty where there is none.
     std::string axiom(std::size_t from, const std::set<std::string>& known) const {
-        const std::string_view text = text_.text();
+        const std::string_view text = said_;
         for (std::size_t at = text.find('(', from); at != std::string_view::npos;
              at = text.find('(', at + 1)) {
             if (at + 1 >= text.size() || (text[at + 1] != '\'' && text[at + 1] != '"')) continue;
@@ -644,6 +692,7 @@ private:
     }
 
     Text text_;
+    std::string said_;  // without comments
 };
 
 }  // namespace

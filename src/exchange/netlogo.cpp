@@ -409,7 +409,7 @@ public:
         if (procedures_.size() > 1) refuse_procedures();
         if (findings_.empty()) check_all();
         findings_.throw_if_any();
-        return read_lsystem(netlogo_notation(system_), name_);
+        return read_written(netlogo_notation(system_), name_);
     }
 
 private:
@@ -613,6 +613,7 @@ public:
     std::string text() {
         check_plain_rules(true);
         check_plain_settings();
+        if (!system_.coding.empty()) refuse("a coding");
         for (const Symbol symbol : system_.axiom.letters) see(symbol, "the axiom");
         for (const Production& rule : system_.rules) {
             const std::string where = "the rule " + print_rule(system_.alphabet, rule);

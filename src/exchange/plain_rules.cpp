@@ -11,6 +11,29 @@
 
 namespace algae {
 
+namespace {
+
+/// Lets all rules stand in the whole file.
+void clear_places(LSystem& system) {
+    for (auto* rules : {&system.rules, &system.interpretation})
+        for (Production& rule : *rules) rule.place.line = rule.place.column = 0;
+    system.axiom_place.line = system.axiom_place.column = 0;
+    for (InnerSystem& inner : system.inner) clear_places(inner.system);
+}
+
+}  // namespace
+
+Model read_written(const std::string& text, const std::string& file) {
+    try {
+        Model system = read_lsystem(text, file);
+        clear_places(system);
+        return system;
+    } catch (const Diagnostics& error) {
+        throw Error(file +
+                    ": the notation cannot say this system: " + error.findings().front().message);
+    }
+}
+
 std::string beyond_plain(const Production& rule, bool parameters) {
     if (!rule.left.empty() || !rule.right.empty()) return "it has a context";
     if (!rule.elsewhere.empty()) return "it has a context condition";
@@ -114,11 +137,26 @@ void FormatWriter::check_programs() const {
     if (drawing.narrow) refuse("the setting narrow");
     if (!system_.coding.empty()) refuse("a coding");
     if (!system_.axiom.splices.empty()) refuse("the axiom's words");
+    check_first_wins();
     for (const Production& rule : system_.rules) {
         if (rule.shape) refuse(rule, "it is a shape rule");
         if (!rule.elsewhere.empty()) refuse(rule, "it looks elsewhere in the word");
         if (!rule.successor.splices.empty()) refuse(rule, "it holds words");
     }
+}
+
+void FormatWriter::check_first_wins() const {
+    for (std::size_t i = 0; i < system_.rules.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const Production &rule = system_.rules[i], &before = system_.rules[j];
+            if (!rule.probability && !rule.condition && !before.probability && !before.condition &&
+                rule.predecessor.symbol == before.predecessor.symbol &&
+                rule.predecessor.parameters.size() == before.predecessor.parameters.size() &&
+                rule.left == before.left && rule.right == before.right)
+                refuse(rule,
+                       "it is one of several for its letter, of which the first is always taken "
+                       "there");
+        }
 }
 
 std::vector<const Production*> FormatWriter::rules_by_reach() const {

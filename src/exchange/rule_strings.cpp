@@ -36,7 +36,10 @@ constexpr const char* inkscape_free = "MNOPQRSTUVWXYZ";
 
 class Text {
 public:
-    Text(std::string_view text, const std::string& name) : text_(text), source_(text_, name) {}
+    Text(std::string_view text, const std::string& name) : Text(text, name, std::string(text)) {}
+    /// A text of which `said` is to be read, of the same length.
+    Text(std::string_view text, const std::string& name, std::string said)
+        : text_(std::move(said)), source_(text, name) {}
     const std::string& text() const { return text_; }
     const Source& source() const { return source_; }
     [[noreturn]] void fail(std::size_t place, const std::string& message) const {
@@ -84,7 +87,7 @@ Model model_of(const Strings& strings, const std::string& name) {
     if (!strings.start.empty()) text += "start " + strings.start + "\n";
     if (strings.clockwise) text += "turn clockwise\n";
     if (!strings.order.empty()) text += "generation " + strings.order + "\n";
-    return read_lsystem(text, name);
+    return read_written(text, name);
 }
 
 /// The word, with the brackets that must match; the characters that occur are added.
@@ -119,7 +122,8 @@ Model read_inkscape(std::string_view whole, const std::string& name) {
     std::map<std::string, std::pair<std::string, std::size_t>> fields;
     for (std::size_t begin = 0; begin < text.text().size();) {
         const std::size_t end = std::min(text.text().find('\n', begin), text.text().size());
-        const std::string line = text.text().substr(begin, end - begin);
+        std::string line = text.text().substr(begin, end - begin);
+        line = line.substr(0, std::min(line.find(" #"), line.find("\t#")));
         const std::string said = trimmed_text(line);
         if (!said.empty() && !said.starts_with('#')) {
             const std::size_t equals = line.find('=');
@@ -203,9 +207,22 @@ Model read_inkscape(std::string_view whole, const std::string& name) {
 
 namespace {
 
+/// The text with blanks instead of comments, from `%` to the end of a line.
+std::string without_tex_comments(std::string_view text) {
+    std::string out(text);
+    bool is_comment = false;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        if (out[i] == '\n') is_comment = false;
+        if (out[i] == '%' && (i == 0 || out[i - 1] != '\\')) is_comment = true;
+        if (is_comment) out[i] = ' ';
+    }
+    return out;
+}
+
 class TikzReader {
 public:
-    TikzReader(std::string_view whole, const std::string& name) : text_(whole, name), name_(name) {}
+    TikzReader(std::string_view whole, const std::string& name)
+        : text_(whole, name, without_tex_comments(whole)), name_(name) {}
 
     Model read() {
         const std::string& text = text_.text();

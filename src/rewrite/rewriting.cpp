@@ -254,7 +254,13 @@ bool Surroundings::match(const Alternatives& rules, std::size_t position,
 namespace {
 
 std::string at(const Production& rule) {
-    return rule.place.line == 0 ? std::string("a rule") : to_string(rule.place);
+    return rule.place.file.empty() ? std::string("a rule") : to_string(rule.place);
+}
+
+/// Another rule, as messages about two of them name it.
+std::string other(const Production& rule) {
+    return rule.place.line == 0 ? std::string("another rule")
+                                : "the rule at " + to_string(rule.place);
 }
 
 }  // namespace
@@ -290,8 +296,7 @@ void Rewriting::refuse(const Undefined& undefined, const Production& rule, Modul
 void Rewriting::refuse_both(const Alternatives& first, const Alternatives& second, ModuleKind kind,
                             const double* values, std::size_t position,
                             std::uint64_t generation) const {
-    const Production& other = *rules_.successors[second.successors.front()].rule;
-    refuse("the rule at " + to_string(other.place) + " matches too, and " +
+    refuse(other(*rules_.successors[second.successors.front()].rule) + " matches too, and " +
                (first.probabilities.empty() || second.probabilities.empty()
                     ? "not both have probabilities"
                     : "the probabilities add up to more than 1"),
@@ -306,8 +311,8 @@ void Rewriting::check_choice(const Alternatives& alternatives, ModuleKind kind,
         return;
     const Production& first = *rules_.successors[alternatives.successors[0]].rule;
     const Production& second = *rules_.successors[alternatives.successors[1]].rule;
-    refuse("the rule at " + to_string(second.place) + " matches too, and neither has a probability",
-           first, kind, values, position, generation);
+    refuse(other(second) + " matches too, and neither has a probability", first, kind, values,
+           position, generation);
 }
 
 std::uint32_t Rewriting::pick(const Alternatives& alternatives, std::uint64_t number) const {

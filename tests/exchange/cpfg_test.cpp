@@ -742,3 +742,55 @@ TEST_CASE("files ending in .l are told apart by what stands in them") {
     CHECK(system_format("x.l")->read(file("A --> B\n"), "x.l").rules.size() == 1);
     CHECK(system_format_of(file("A --> B\n"))->name == "cpfg");
 }
+
+TEST_CASE("and and or of Python give one of their sides") {
+    const auto word = [](const std::string& value, const char* x) {
+        return printed_word(read_lpy(std::string("Axiom: A(") + x +
+                                         ")\nderivation length: 1\nproduction:\nA(x) --> B(" +
+                                         value + ")\nendlsystem\n",
+                                     "x.lpy"));
+    };
+    for (const int x : {-1, 0, 1, 3}) {
+        const std::string at = std::to_string(x);
+        const auto is = [&](const std::string& value, int expected) {
+            INFO(value << " at " << x);
+            CHECK(word(value, at.c_str()) == "B(" + std::to_string(expected) + ")");
+        };
+        is("x and 5", x ? 5 : 0);
+        is("x or 5", x ? x : 5);
+        is("(x>1) and 5 or 7", x > 1 ? 5 : 7);
+        is("x > 1 and x < 5", x > 1 && x < 5 ? 1 : 0);
+        is("not x and 4", x ? 0 : 4);
+        is("-(x or 2)", x ? -x : -2);
+    }
+    CHECK(holds(lpy_fault("Axiom: A\nproduction:\nA --> B(010)\n"), "a number begins with 0"));
+}
+
+TEST_CASE("either of two rules is no file of a program that takes the first") {
+    const Model either = read_lsystem("axiom a; a -> ab; a -> c", "x");
+    for (const auto print : {print_cpfg, print_lpfg, print_lpy})
+        CHECK(
+            holds(refusal([&] { print(either); }),
+                  "it is one of several for its letter, of which the first is always taken there"));
+    CHECK(holds(refusal([&] { print_cpfg(read_lsystem("axiom ab; a > b -> c; a > b -> d", "x")); }),
+                "of which the first is always taken"));
+}
+
+TEST_CASE(
+    "a letter that moves in cpfg and L-Py and not in the notation does nothing there either") {
+    const Model system = read_lsystem("axiom gF; F -> FgF; start 0 0 90", "x");
+    const auto end = [](const Model& of, std::uint64_t n) {
+        const auto place = figure(of, n, {})->facts().end;
+        return std::pair(std::lround(place[0].value() * 1e6), std::lround(place[1].value() * 1e6));
+    };
+    CHECK(end(read_cpfg(print_cpfg(system), "y"), 2) == end(system, 2));
+    CHECK(end(read_lpy(print_lpy(system), "y"), 2) == end(system, 2));
+    const Model with_number = read_lsystem("axiom g(2)F; start 0 0 90", "x");
+    CHECK(end(read_cpfg(print_cpfg(with_number), "y"), 0) == end(with_number, 0));
+}
+
+TEST_CASE("what cannot say a coding refuses it") {
+    const Model coded = read_lsystem("axiom F; F -> FF; coding { F -> 0 }", "x");
+    for (const auto print : {print_netlogo, print_brno, print_maple, print_cpfg, print_inkscape})
+        CHECK(holds(refusal([&] { print(coded); }), "a coding"));
+}

@@ -298,3 +298,28 @@ TEST_CASE("entries of Fractint come back from the notation, and no text does har
         }
     }));
 }
+
+TEST_CASE("symbols beyond ASCII are refused with their place, and stand in comments") {
+    CHECK(said("Angle 4\nAxiom \xe9\n")
+              .find("x.l:3:7: error: expected symbols of ASCII, found the "
+                    "byte 233") != std::string::npos);
+    CHECK(said("Angle 4\nAxiom f\n\xe8=f\n").find("x.l:4:1: error: expected symbols of ASCII") !=
+          std::string::npos);
+    CHECK(lsys("; \xe9\nAngle 4\nAxiom f").find("axiom F\n") != std::string::npos);
+}
+
+TEST_CASE("numbers of Fractint end where the program stops to read") {
+    CHECK(lsys("Angle 4\nAxiom @1.5.2f").find("*(1.5)") != std::string::npos);
+    CHECK(lsys("Angle 4\nAxiom c1.5f").find("'(1)") != std::string::npos);
+    CHECK(lsys("Angle 4\nAxiom c300f").find("'(44)") != std::string::npos);
+}
+
+TEST_CASE(
+    "errors of figures from other programs' files name the file, and no line of another text") {
+    const Model system = read_cpfg(
+        "// one\n\n\nLsystem: 1\nderivation length: 1\nAxiom: A(0)\nA(x) --> B(1/x)\n"
+        "endlsystem\n",
+        "big.l");
+    CHECK(
+        refusal([&] { derived_modules(system, 1, {}); }).starts_with("big.l: the rule for A(0) "));
+}

@@ -257,3 +257,15 @@ TEST_CASE("automata and grammars of JFLAP become languages of claims") {
                   "g.jff", "jff", "claim", {});
           }).find("expected one letter on the left") != std::string::npos);
 }
+
+TEST_CASE("what stands in CDATA is text") {
+    const Model system = read_jflap(
+        file(
+            "<axiom><![CDATA[g]]></axiom><production><left>g</left><right>g <![CDATA[+ g]]></right>"
+            "</production>"),
+        "x.jff");
+    CHECK(system.axiom.letters.size() == 1);
+    CHECK(system.rules[0].successor.letters.size() == 3);
+    CHECK(said("<structure><type>lsystem</type><axiom><![CDATA[g</axiom></structure>")
+              .find("<![CDATA[ is never closed") != std::string::npos);
+}

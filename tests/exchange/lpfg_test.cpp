@@ -257,3 +257,10 @@ TEST_CASE(
         refusal([] { print_cpfg(read_lsystem("axiom A[B][C]; A > [C] -> F; start 0 0 90", "s")); }),
         "cpfg cannot say the rule A > [C] -> F: a branch in a context is the first"));
 }
+
+TEST_CASE("a number that begins with 0 is octal in C, and refused") {
+    CHECK(holds(refusal([] {
+                    read_lpfg("#include <lpfgall.h>\nmodule A(float);\nAxiom: A(010);\n", "x.lpfg");
+                }),
+                "a number that begins with 0 is octal in C: say it without the 0"));
+}

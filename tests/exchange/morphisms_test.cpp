@@ -153,7 +153,7 @@ TEST_CASE("brackets that a morphism of Sage keeps are those of the notation") {
     };
     const std::string said = fault("a->[b,b->b,[->[");
     INFO(said);
-    CHECK(said.starts_with("x.sage:1:19: error: the notation cannot say this morphism: "));
+    CHECK(said.starts_with("x.sage: the notation cannot say this system: "));
 }
 
 TEST_CASE("systems are written as morphisms, and what those cannot say is refused") {
@@ -229,4 +229,20 @@ TEST_CASE("morphisms come back from Walnut and Sage with the same words") {
             } catch (const Error&) {
             }
     }));
+}
+
+TEST_CASE("comments of Sage say nothing, and powers and products of morphisms are refused") {
+    CHECK(sage("m = WordMorphism('a->ab,b->a') # not WordMorphism('a->b,b->a')\n") ==
+          "axiom a\na -> ab\nb -> a\n");
+    CHECK(
+        sage(
+            "from sage.all import *\n# WordMorphism('x->y,y->x')\nm = WordMorphism('a->ab,b->a')\n")
+            .starts_with("axiom a\na -> ab\n"));
+    for (const char* other : {"WordMorphism('a->ab,b->a')^2", "WordMorphism('a->ab,b->a')**3",
+                              "m = WordMorphism('a->ab,b->a')\nn = m*m\nn('a', 2)",
+                              "m = WordMorphism('a->ab,b->a').reversal()"}) {
+        INFO(other);
+        CHECK(sage_fault(other).find("not computed here; expected WordMorphism('a->ab,b->a')") !=
+              std::string::npos);
+    }
 }

@@ -153,3 +153,26 @@ TEST_CASE("what the strings cannot say is refused") {
     CHECK(holds(refused("axiom X; interpret X -> F+F", false), "which does several things"));
     CHECK(holds(refused("axiom F|F", true), "which turns back"));
 }
+
+TEST_CASE("comments of TeX and of Inkscape's fields are no part of a system") {
+    const char* const text =
+        "\\pgfdeclarelindenmayersystem{k}{% a curve\n\\rule{F -> F-F}\n% \\rule{F -> FFF}\n}\n"
+        "% \\draw l-system [l-system={other, axiom=FF, order=7}];\n"
+        "\\draw l-system [l-system={k, axiom=F, order=1, % angle=90,\n angle=60}];\n";
+    CHECK(print_lsystem(read_tikz(text, "x")) == "axiom F\nF -> F-F\nangle 60\ngeneration 1\n");
+    CHECK(print_lsystem(read_inkscape("axiom = F # one\nrules = F=F+F # c\nlangle = 60\nrangle = "
+                                      "60\n",
+                                      "x"))
+              .starts_with("axiom F\nF -> F+F\n"));
+}
+
+TEST_CASE("symbols that do nothing in the plane leave a figure there") {
+    const Model plane = read_inkscape("axiom = F&F^F\n", "x");
+    CHECK_FALSE(leaves_plane(plane));
+    CHECK_FALSE(leaves_plane(read_lsystem("axiom XF+F; X -> &; interpret & -> ε", "")));
+    // With a number it is another module, which nothing interprets.
+    CHECK(leaves_plane(read_lsystem("axiom F&(30)F; interpret & -> ε", "")));
+    CHECK(leaves_plane(read_lsystem("axiom F&F; interpret & -> &(30)", "")));
+    CHECK(leaves_plane(
+        read_lsystem("axiom F&F; interpret & -(1/2)-> ε; interpret & -(1/2)-> F", "")));
+}

@@ -17,6 +17,10 @@ struct TurtleModule {
     std::vector<Quantity> parameters;
 };
 
+/// The system that a text of the notation says which is written from the file of another program. Its places are the whole file: lines
+/// of the written text are none of that file's. Throws Error that names the file where the notation refuses the text.
+Model read_written(const std::string& text, const std::string& file);
+
 /// What of a rule is more than a letter, with parameters if those are allowed, and what it becomes: "it
 /// has a context"; empty if nothing.
 std::string beyond_plain(const Production& rule, bool parameters);
@@ -49,6 +53,8 @@ protected:
     /// What cpfg, lpfg and L-Py have no words for: besides the above stamps, solids, settings of the turtle's state, codings, words in the
     /// axiom and in rules, shape rules and contexts elsewhere.
     void check_programs() const;
+    /// Refuses two rules of which either may be taken: those programs take the first.
+    void check_first_wins() const;
     /// The rules with the longest contexts first, which the notation uses first; brackets do not count.
     std::vector<const Production*> rules_by_reach() const;
 

@@ -267,14 +267,35 @@ std::vector<Symbol> walked_letters(const LSystem& system) {
     });
 }
 
+/// Whether something else stands for a symbol wherever the turtle meets it, so that it never does what is usual.
+bool is_always_interpreted(const LSystem& system, Symbol symbol) {
+    const auto stands_for_all = [&](const Production& rule) {
+        return rule.predecessor.symbol == symbol && rule.predecessor.parameters.empty() &&
+               rule.left.empty() && rule.right.empty() && rule.elsewhere.empty() &&
+               !rule.condition && !rule.probability;
+    };
+    const auto has_numbers = [&](const ModuleWord& word) {
+        return std::ranges::any_of(word.arguments, [&](const auto& module) {
+            return word.letters[module.first] == symbol;
+        });
+    };
+    if (std::ranges::none_of(system.interpretation, stands_for_all) || has_numbers(system.axiom))
+        return false;
+    for (const auto* all : {&system.rules, &system.interpretation})
+        for (const Production& rule : *all)
+            if (has_numbers(rule.successor)) return false;
+    return true;
+}
+
 }  // namespace
 
 bool leaves_plane(const Model& system) {
     if (system.drawing.tropism && system.drawing.tropism->z.value != 0) return true;
     if (plots_in_space(system) || class_of(system).shape) return true;
     const std::vector<Symbol> letters = walked_letters(system);
-    return std::any_of(letters.begin(), letters.end(),
-                       [&](Symbol symbol) { return leaves_plane(system, symbol); });
+    return std::any_of(letters.begin(), letters.end(), [&](Symbol symbol) {
+        return leaves_plane(system, symbol) && !is_always_interpreted(system, symbol);
+    });
 }
 
 SpaceDerivation scene(const Model& system, std::uint64_t n, const Budget& budget,

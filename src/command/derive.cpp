@@ -83,7 +83,11 @@ void print_lines(bool json, std::uint64_t first, std::uint64_t last,
     StandardOutput output;
     JsonString inside(output);
     TextSink& sink = json ? static_cast<TextSink&>(inside) : output;
-    if (json) print("{\n  \"words\": [\n");
+    std::optional<OpenJson> open;
+    if (json) {
+        print("{\n  \"words\": [\n");
+        open.emplace("\"\n  ],\n  ", "\n}\n");
+    }
     for (std::uint64_t n = first; n <= last; ++n) {
         if (json) print("    \"");
         if (!write(n, sink)) print("ε");

@@ -259,16 +259,6 @@ DimensionRow row_of(const Entry& entry, const Options& options, const Budget& bu
     return row;
 }
 
-/// A value as it stands in an array, without the end of its last line.
-std::string element(const Json& value) {
-    std::string text = "  ";
-    for (const char c : value.text()) {
-        text += c;
-        if (c == '\n') text += "  ";
-    }
-    return text.substr(0, text.find_last_of('\n'));
-}
-
 int print_table(const Options& options, const Budget& budget) {
     const std::vector<Entry> all = entries(options.file, budget);
     std::size_t width = 0;
@@ -277,16 +267,19 @@ int print_table(const Options& options, const Budget& budget) {
     bool complete = true;
     std::vector<DimensionRow> rows;  // of --latex
     if (!options.latex) print(options.json ? "[" : dimension_header(width, options.quick));
+    std::optional<OpenJson> open;
+    if (options.json) open.emplace("\n  {", "}\n]\n");
     ProgressBar bar("dimension");
     WorkCount figures("figure", all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         figures.at(i + 1, all[i].name);
+        if (open && i > 0) open->set_before(",\n  {");
         const DimensionRow row = row_of(all[i], options, budget);
         complete = complete && !row.unfinished;
         if (options.latex)
             rows.push_back(row);
         else if (options.json)
-            print((i > 0 ? ",\n" : "\n") + element(to_json(row, options.quick)));
+            print((i > 0 ? ",\n" : "\n") + json_element(to_json(row, options.quick)));
         else if (row.exact.status == Found::none)
             without += to_line(row, width);
         else if (row.exact.status == Found::unfinished)

@@ -213,7 +213,8 @@ std::string about(const Document& document, const Budget& budget) {
 json hover(const Document& document, std::size_t line, std::size_t character,
            const Budget& budget) {
     const std::vector<std::string> lines = lines_of(document.text);
-    const std::string text = line < lines.size() ? lines[line] : "";
+    if (line >= lines.size()) return nullptr;
+    const std::string& text = lines[line];
     const std::size_t at = bytes_of_units(text, character);
     const auto [from, to] = word_at(text, at);
     const std::string word = text.substr(from, to - from);
@@ -248,54 +249,109 @@ struct Occurrence {
     std::size_t line, from, to;
 };
 
-/// Where a line has letters: its rule or its setting without comments, parameters and conditions.
-std::string letters_only(std::string line) {
-    const auto blank = [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < std::min(to, line.size()); ++i) line[i] = ' ';
-    };
-    for (std::size_t i = 0; i < line.size(); ++i)
-        if (line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t'))
-            blank(i, line.size());
-    std::size_t depth = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '(') ++depth;
-        const bool inside = depth > 0;
-        if (line[i] == ')' && depth > 0) --depth;
-        if (inside) line[i] = ' ';
+/// Leaves of the lines of a system, one after the other, what has letters: its rules and settings without comments, parameters and
+/// conditions.
+class LetterLines {
+public:
+    std::string letters_only(std::string line) {
+        line_ = std::move(line);
+        for (std::size_t i = 0; i < line_.size(); ++i)
+            if (line_[i] == '#' && (i == 0 || line_[i - 1] == ' ' || line_[i - 1] == '\t'))
+                blank(i, line_.size());
+        std::size_t depth = 0;
+        for (std::size_t i = 0; i < line_.size(); ++i) {
+            if (line_[i] == '(') ++depth;
+            const bool inside = depth > 0;
+            if (line_[i] == ')' && depth > 0) --depth;
+            if (inside) line_[i] = ' ';
+        }
+        for (std::size_t begin = 0; begin < line_.size();) {
+            const std::size_t end = std::min(line_.find(';', begin), line_.size());
+            blank(end, end + 1);
+            statement(begin, end);
+            begin = end + 1;
+        }
+        return std::move(line_);
     }
-    const std::size_t arrow = std::min(line.find("->"), line.find("→"));
-    if (arrow != std::string::npos) {
-        const std::size_t condition = line.find(':');
+
+private:
+    void blank(std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < std::min(to, line_.size()); ++i) line_[i] = ' ';
+    }
+    std::size_t find(std::string_view what, std::size_t from, std::size_t to) const {
+        return std::min(std::string_view(line_).substr(0, to).find(what, from), to);
+    }
+    /// The end of the word that begins at the next place which is no blank; blanks it.
+    std::string take_word(std::size_t from, std::size_t to) {
+        const std::size_t first = std::min(line_.find_first_not_of(" \t", from), to);
+        const std::size_t end = std::min(line_.find_first_of(" \t", first), to);
+        const std::string word = line_.substr(first, end - first);
+        blank(first, end);
+        return word;
+    }
+
+    void statement(std::size_t from, std::size_t to) {
+        const std::size_t first = std::min(line_.find_first_not_of(" \t", from), to);
+        const std::string begin = line_.substr(first, to - first);
+        for (const char* opens : {"system ", "coding"})
+            if (begin.starts_with(opens)) {
+                const std::size_t brace = find("{", first, to);
+                if (brace == to) break;
+                in_block_ = true;
+                in_coding_ = opens[0] == 'c';
+                blank(first, brace + 1);
+                return statement(brace + 1, to);
+            }
+        bool ends = false;
+        if (in_block_) {  // a brace that no other opens
+            int open = 0;
+            for (std::size_t i = from; i < to && !ends; ++i) {
+                open += line_[i] == '{' ? 1 : line_[i] == '}' ? -1 : 0;
+                ends = open < 0;
+                if (ends) blank(i, i + 1);
+            }
+        }
+        const std::size_t arrow = std::min(find("->", from, to), find("→", from, to));
+        if (arrow < to)
+            rule(from, arrow, to);
+        else
+            setting(from, to);
+        if (ends) in_block_ = in_coding_ = false;
+    }
+
+    void rule(std::size_t from, std::size_t arrow, std::size_t to) {
+        const std::size_t condition = find(":", from, to);
         if (condition < arrow) blank(condition, arrow);
-        if (arrow > 0 && line.substr(0, arrow).ends_with("-")) blank(arrow - 1, arrow);
+        if (arrow > from && line_[arrow - 1] == '-') blank(arrow - 1, arrow);
         blank(arrow, arrow + 2);
-        for (const char* keyword : {"interpret ", "coding "})
-            if (const std::size_t at = line.find(keyword); at != std::string::npos && at < arrow)
-                blank(at, at + std::string(keyword).size());
-        for (char& c : line)
-            if (c == ';') c = ' ';
-        return line;
+        if (line_[arrow] == ' ' && (line_[std::min(arrow + 2, line_.size() - 1)] & 0xc0) == 0x80)
+            blank(arrow + 2, arrow + 3);  // the last byte of an arrow that is one character
+        if (const std::size_t at = find("interpret ", from, arrow); at < arrow)
+            blank(at, at + std::string("interpret ").size());
+        if (in_coding_) blank(arrow, to);  // what stands there are no letters of the system
     }
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first == std::string::npos) return line;
-    const std::size_t end = std::min(line.find_first_of(" \t", first), line.size());
-    const std::string keyword = line.substr(first, end - first);
-    for (const char* words : {"axiom", "ignore", "terminals", "alphabet", "plot"})
-        if (keyword == words) {
-            blank(first, end);
-            return line;
-        }
-    // The letter behind these, and no other word.
-    for (const char* named : {"stamp", "solid", "surface", "environment"})
-        if (keyword == named) {
-            blank(first, end);
-            const std::size_t name = std::min(line.find_first_not_of(" \t"), line.size());
-            blank(std::min(line.find_first_of(" \t", name), line.size()), line.size());
-            return line;
-        }
-    blank(0, line.size());
-    return line;
-}
+
+    void setting(std::size_t from, std::size_t to) {
+        const std::string keyword = take_word(from, to);
+        for (const char* words : {"axiom", "ignore", "terminals", "alphabet", "plot"})
+            if (keyword == words) return;
+        // The letter behind these, and no other word.
+        for (const char* named : {"stamp", "solid", "surface", "environment"})
+            if (keyword == named) {
+                const std::size_t name = std::min(line_.find_first_not_of(" \t", from), to);
+                blank(std::min(line_.find_first_of(" \t", name), to), to);
+                return;
+            }
+        const std::size_t colon = find(":", from, to);
+        if (keyword == "expect" && colon < to && take_word(from, to) == "word")
+            blank(from, colon + 1);
+        else
+            blank(from, to);
+    }
+
+    std::string line_;
+    bool in_block_ = false, in_coding_ = false;
+};
 
 std::vector<Occurrence> letters_in(const Document& document, const Alphabet& alphabet) {
     std::vector<std::string> names;
@@ -304,8 +360,9 @@ std::vector<Occurrence> letters_in(const Document& document, const Alphabet& alp
     std::ranges::sort(names, std::greater<>(), &std::string::size);
     std::vector<Occurrence> found;
     const std::vector<std::string> lines = lines_of(document.text);
+    LetterLines reader;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::string line = letters_only(lines[i]);
+        const std::string line = reader.letters_only(lines[i]);
         for (std::size_t at = 0; at < line.size();) {
             const auto name = std::ranges::find_if(names, [&](const std::string& candidate) {
                 return std::string_view(line).substr(at).starts_with(candidate);
@@ -326,7 +383,8 @@ bool is_renamed(const Model& before, const Model& after, const std::string& old_
                 const std::string& new_name) {
     if (before.alphabet.size() != after.alphabet.size() || before.axiom != after.axiom ||
         before.rules != after.rules || !(before.drawing == after.drawing) ||
-        before.interpretation != after.interpretation || before.ignored != after.ignored)
+        before.interpretation != after.interpretation || before.ignored != after.ignored ||
+        before.coding.images != after.coding.images)
         return false;
     for (Symbol letter = 0; letter < before.alphabet.size(); ++letter) {
         const std::string& name = before.alphabet.name(letter);
@@ -413,8 +471,12 @@ private:
                 return static_cast<char>(std::tolower(c));
             });
             if (!small.starts_with(name)) continue;
-            length =
-                static_cast<std::size_t>(std::strtoull(small.c_str() + name.size(), nullptr, 10));
+            const std::string digits =
+                small.substr(std::min(small.find_first_not_of(" \t", name.size()), small.size()));
+            if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos)
+                throw Error("expected `Content-Length: ` and a number of bytes, found " +
+                            algae::quoted(header));
+            length = static_cast<std::size_t>(std::strtoull(digits.c_str(), nullptr, 10));
             if (length > longest) throw Error("a message of more than 256 MiB");
         }
         return std::nullopt;

@@ -114,6 +114,44 @@ void print(std::string_view text) {
     if (!text.empty()) write_all(&piece, 1);
 }
 
+namespace {
+
+/// What stands around an error where a JSON text is open.
+struct Around {
+    std::string before, after;
+};
+
+std::optional<Around> open_json;
+
+}  // namespace
+
+OpenJson::OpenJson(std::string before, std::string after) : errors_(std::uncaught_exceptions()) {
+    open_json = Around{std::move(before), std::move(after)};
+}
+
+OpenJson::~OpenJson() {
+    if (std::uncaught_exceptions() == errors_) open_json.reset();
+}
+
+void OpenJson::set_before(std::string before) { open_json->before = std::move(before); }
+
+void print_error_object(const Json& error) {
+    if (!open_json) return print(Json{{"error", error}}.text());
+    const std::string text = json_element(error);
+    print(open_json->before + "\"error\": " + text.substr(text.find_first_not_of(' ')) +
+          open_json->after);
+    open_json.reset();
+}
+
+std::string json_element(const Json& value) {
+    std::string text = "  ";
+    for (const char c : value.text()) {
+        text += c;
+        if (c == '\n') text += "  ";
+    }
+    return text.substr(0, text.find_last_of('\n'));
+}
+
 void note(const std::string& text) { std::cerr << "algae: note: " << printable(text) << '\n'; }
 
 std::string csv_field(const std::string& text) {

@@ -42,7 +42,7 @@ void print_error(Json error, int status) {
     if (!json_wanted || status == interrupted) return;  // who stops the work wants no answer
     error.set("status", status);
     try {
-        print(Json{{"error", std::move(error)}}.text());
+        print_error_object(error);
     } catch (const std::exception&) {
     }
 }
@@ -53,12 +53,19 @@ int report(const std::string& message, int status) {
     return status;
 }
 
+/// A finding without what cannot be shown, or is no text.
+Diagnostic shown(Diagnostic finding) {
+    for (std::string* text : {&finding.place.file, &finding.message, &finding.line})
+        *text = printable(*text);
+    return finding;
+}
+
 int report(const Diagnostics& error) {
     if (json_wanted) {
-        Json first = to_json(error.findings().front());
+        Json first = to_json(shown(error.findings().front()));
         if (error.findings().size() > 1) {
             Json all = Json::array();
-            for (const Diagnostic& finding : error.findings()) all.add(to_json(finding));
+            for (const Diagnostic& finding : error.findings()) all.add(to_json(shown(finding)));
             first.set("all", std::move(all));
         }
         print_error(std::move(first), bad_input);
@@ -108,6 +115,7 @@ void handle_stops() {
     action.sa_handler = on_stop;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing
     struct sigaction before = {};
     sigaction(SIGHUP, nullptr, &before);
     if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup means it

@@ -75,11 +75,40 @@ Json to_json(const Diagnostic& finding) {
     return out;
 }
 
+namespace {
+
+/// The place that a message begins with, `koch.lsys:3:11: `; without a file where there is none.
+Place place_of(std::string_view message) {
+    const std::string_view said = message.substr(0, message.find(": "));
+    const std::size_t second = said.rfind(':');
+    if (second == std::string_view::npos || second == 0 || said.size() == message.size()) return {};
+    const std::size_t first = said.rfind(':', second - 1);
+    if (first == std::string_view::npos || first == 0) return {};
+    const auto number = [](std::string_view digits) {
+        std::size_t value = 0;
+        const bool is_number =
+            !digits.empty() && digits.size() < 10 &&
+            std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+        if (is_number)
+            for (const char c : digits) value = 10 * value + static_cast<std::size_t>(c - '0');
+        return value;
+    };
+    const std::size_t line = number(said.substr(first + 1, second - first - 1)),
+                      column = number(said.substr(second + 1));
+    if (line == 0 || column == 0) return {};
+    return {std::string(said.substr(0, first)), line, column};
+}
+
+Json number_or_null(std::size_t number) { return number > 0 ? Json(number) : Json(nullptr); }
+
+}  // namespace
+
 Json error_json(std::string_view message) {
     const MessageParts parts = parts_of(message);
-    return {{"file", nullptr},
-            {"line", nullptr},
-            {"column", nullptr},
+    const Place place = place_of(message);
+    return {{"file", or_null(place.file)},
+            {"line", number_or_null(place.line)},
+            {"column", number_or_null(place.column)},
             {"end", nullptr},
             {"message", std::string(message)},
             {"expected", or_null(parts.expected)},

@@ -180,3 +180,57 @@ TEST_CASE("the server survives messages that are none") {
     CHECK(all[2].contains("error"));
     CHECK(all[3].contains("result"));
 }
+
+TEST_CASE("a letter is renamed in every statement of a line, and in words that are expected") {
+    const auto renamed = [](const std::string& text, std::size_t line, std::size_t character) {
+        const auto all =
+            served({opened(text), request("rename", line, character, {{"newName", "c"}})});
+        INFO(all.back().dump());
+        REQUIRE(all.back().contains("result"));
+        return edited(text, all.back()["result"]["changes"]["file:///tmp/x.lsys"]);
+    };
+    CHECK(renamed("axiom ab; a -> ba\nb -> a\n", 0, 6) == "axiom cb; c -> bc\nb -> c\n");
+    CHECK(renamed("axiom a; a -> ab; b -> a\nexpect word 1: ab\n", 0, 6) ==
+          "axiom c; c -> cb; b -> c\nexpect word 1: cb\n");
+    CHECK(renamed("axiom a; a -> {a}\ncoding { a -> 0; b -> a }\nb -> b # a\n", 0, 6) ==
+          "axiom c; c -> {c}\ncoding { c -> 0; b -> a }\nb -> b # a\n");
+}
+
+TEST_CASE("places beyond a document have nothing to say") {
+    const auto all = served(
+        {opened("axiom a\na -> ab\n"), request("hover", 99, 0), request("completion", 99, 3)});
+    CHECK(all[1]["result"].is_null());
+    const Scratch scratch;
+    const Run failed = run("lsp <'" + scratch.file("in", "Content-Length: -5\r\n\r\n{}") + "'");
+    CHECK(failed.err.find("expected `Content-Length: ` and a number of bytes, found "
+                          "'Content-Length: -5'") != std::string::npos);
+}
+
+TEST_CASE("an error in the middle of words that are printed leaves whole JSON") {
+    for (const char* arguments :
+         {"derive 'axiom A(0); A(x) -> A(1/x)' -n 1 --json",
+          "derive 'axiom A(1); A(x) -> A(x-1)B(1/x)' -n 0..3 --json",
+          "derive 'axiom ab; a < b -> ab; a -> ab' -n 0..40 --max-memory 10M --json"}) {
+        INFO(arguments);
+        const Run failed = run(arguments);
+        CHECK(failed.status != 0);
+        const json whole = json::parse(failed.out);
+        CHECK(whole["words"].is_array());
+        CHECK(whole["error"]["message"].is_string());
+    }
+    const json error = error_of("derive 'axiom A(0); A(x) -> A(1/x)' -n 1 --json");
+    CHECK(error["file"] == "typed system");
+    CHECK(error["line"] == 1);
+    CHECK(error["column"] == 13);
+}
+
+TEST_CASE("an error about bytes that are no text is JSON all the same") {
+    const Scratch scratch;
+    for (const char* name : {"j.lpy", "j.l", "j.lsys"}) {
+        INFO(name);
+        const std::string file = scratch.file(name,
+                                              "c = \xff"
+                                              "1\nLsystem: 1\nAxiom: A\nproduction:\nA --> B\n");
+        CHECK(error_of("show '" + file + "' --json")["message"].is_string());
+    }
+}

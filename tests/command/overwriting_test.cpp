@@ -225,3 +225,13 @@ TEST_CASE("two stops leave no unfinished file") {
     CHECK((WEXITSTATUS(ended) == 130 || WEXITSTATUS(ended) == 0));
     CHECK(files.size() == (WEXITSTATUS(ended) == 0 ? 1 : 0));
 }
+
+TEST_CASE("a file that may not grow is an error of writing, and leaves nothing") {
+    const Scratch scratch;
+    const std::string before = scratch.file("k.svg", "before");
+    const Run full = run("draw dragon -n 16 -o '" + before + "'", "ulimit -f 100;");
+    CHECK(full.status == 2);
+    CHECK(full.err.find("File too large") != std::string::npos);
+    CHECK(text_of(before) == "before");
+    CHECK(scratch.size() == 1);
+}

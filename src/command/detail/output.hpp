@@ -66,6 +66,26 @@ private:
     std::string escaped_;
 };
 
+/// A JSON text that is printed part by part. Where an error ends the work while it lives, the error's object follows what was printed,
+/// between these two texts, and the text is whole.
+class OpenJson {
+public:
+    OpenJson(std::string before, std::string after);
+    ~OpenJson();
+    OpenJson(const OpenJson&) = delete;
+    OpenJson& operator=(const OpenJson&) = delete;
+    void set_before(std::string before);
+
+private:
+    int errors_;  // that are on their way where it is made
+};
+
+/// Prints the object of an error, `{"error": ...}`, or ends the JSON text that is open with it.
+void print_error_object(const Json& error);
+
+/// A value as it stands in an array or object, without the end of its last line.
+std::string json_element(const Json& value);
+
 /// Says on standard error, while it lives, what works, where in its work it is (see watch/watch.hpp) and for how long: after five seconds,
 /// then every ten, a line each; on a terminal one line that changes. Where a ProgressBar lives it says how far that is. The environment
 /// variable ALGAE_PROGRESS has other seconds for both.

@@ -314,7 +314,7 @@ std::string escaped_latex(std::string_view text) {
                                                                  {"<", "\\textless{}"},
                                                                  {">", "\\textgreater{}"},
                                                                  {"|", "\\textbar{}"},
-                                                                 {"\"", "\\textquotedbl{}"},
+                                                                 {"\"", "\\char34{}"},
                                                                  {"°", "$^\\circ$"},
                                                                  {"ε", "$\\varepsilon$"},
                                                                  {"×", "$\\times$"},

@@ -135,7 +135,8 @@ class Room:
             lines = blame[found[1]]
             blamed = lines[min(int(found[2]), len(lines)) - 1]
             (wrong if len(blamed) == 1 else around).update(blamed)
-        wrong = wrong & self.wanted or around & self.wanted or \
+        shown = set(map(int, re.findall(r'::mutants::is_on\((\d+)\)', messages)))  # an operand that goes on in the next line
+        wrong = wrong & self.wanted or around & self.wanted or shown & self.wanted or \
             {mutant.number for mutant in source.in_constants()} & self.wanted
         if not wrong:
             sys.exit(f'{source.file} does not compile, and no mutant is to blame:\n{messages[:4000]}')
@@ -219,7 +220,7 @@ class Tests:
         tests, seconds = self.that_reach(mutant, longest)
         if not tests:
             return 'not reached'
-        limit = 5 * seconds + 3
+        limit = 5 * seconds + 1
 
         def limited():
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))

@@ -469,6 +469,8 @@ TEST_CASE("names of letters in documents") {
     CHECK(fixed_text(-1e-9, 6) == "0");
     CHECK(fixed_text(100, 2) == "100");
     CHECK(escaped_latex("a_b\\c 60°") == "a\\_b\\textbackslash{}c 60$^\\circ$");
+    // A quotation mark of every font encoding.
+    CHECK(escaped_latex("say \"a\"") == "say \\char34{}a\\char34{}");
 }
 
 TEST_CASE("currentColor is the colour of the text around an svg, and black elsewhere") {

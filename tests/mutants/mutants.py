@@ -290,15 +290,40 @@ def main():
     say(f'  {len(tests.names)} test cases take {sum(tests.seconds):.1f} s')
 
     wanted = [mutant for mutant in room.mutants if mutant.number in room.wanted]
-    found, begin = {}, time.monotonic()
+    kept = Kept(room, tests, asked.longest)
+    found = {mutant.number: kept.outcomes[mutant.number] for mutant in wanted if mutant.number in kept.outcomes}
+    if found:
+        say(f'  {len(found)} are known from the run before, which ended early')
+    left, begin = [mutant for mutant in wanted if mutant.number not in found], time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        for mutant, outcome in zip(wanted, pool.map(lambda each: tests.judge(each, asked.longest), wanted)):
+        for mutant, outcome in zip(left, pool.map(lambda each: tests.judge(each, asked.longest), left)):
             found[mutant.number] = outcome
+            kept.add(mutant, outcome)
             if len(found) % 500 == 0:
                 say(f'  {len(found)} of {len(wanted)} after {time.monotonic() - begin:.0f} s')
-    put(room.folder / 'found', ''.join(f'{found[m.number]}\t{m.number}\t{m.file}:{m.line}\t{m.original}\t{m.changed}\n'
-                                       for m in wanted))
+    kept.file.rename(room.folder / 'found')  # all are there: the next run is a new one
     sys.exit(report(room, wanted, found, dropped))
+
+
+class Kept:
+    """What was found so far, in a file, from which a run goes on that was stopped before its end."""
+
+    def __init__(self, room, tests, longest):
+        program = zlib.crc32(Path(tests.program).read_bytes())
+        self.file, head = room.folder / 'found-so-far', f'{program} {longest}\n'
+        lines = self.file.read_text().splitlines(True) if self.file.exists() else []
+        self.outcomes = {}
+        if lines[:1] == [head]:
+            for line in lines[1:]:
+                parts = line.split('\t')
+                if line.endswith('\n') and len(parts) == 5:  # whole
+                    self.outcomes[int(parts[1])] = parts[0]
+        else:
+            self.file.write_text(head)
+        self.out = self.file.open('a', buffering=1)
+
+    def add(self, mutant, outcome):
+        self.out.write(f'{outcome}\t{mutant.number}\t{mutant.file}:{mutant.line}\t{mutant.original}\t{mutant.changed}\n')
 
 
 def report(room, wanted, found, dropped):

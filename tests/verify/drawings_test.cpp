@@ -1,5 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <random>
+#include <set>
+#include <utility>
+
 #include "exact/exact.hpp"
 #include "verify/samples.hpp"
 
@@ -149,4 +155,75 @@ TEST_CASE("the definitions of a certificate tell its turtles") {
           "the turtle of X: turns by 1/3 of a full turn; a does F; b does +");
     CHECK(lines.back() ==
           "the turtle of U: turns by 3/4 of a full turn, starts at 1/4 of it; b does F[-f]+");
+}
+
+namespace {
+
+/// The distinct segments that commands draw, by coordinates (a, b) of a + b zeta for zeta = i or a sixth root of unity.
+std::size_t segments_by_hand(const std::string& commands, bool square) {
+    struct State {
+        long a = 0, b = 0;
+        int heading = 0;
+    };
+    const int full = square ? 4 : 6;
+    const std::vector<std::pair<long, long>> ways =
+        square ? std::vector<std::pair<long, long>>{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}
+               : std::vector<std::pair<long, long>>{{1, 0},  {0, 1},  {-1, 1},
+                                                    {-1, 0}, {0, -1}, {1, -1}};
+    State here;
+    std::vector<State> saved;
+    std::set<std::array<long, 4>> drawn;
+    for (const char c : commands) {
+        if (c == '+') here.heading = (here.heading + 1) % full;
+        if (c == '-') here.heading = (here.heading + full - 1) % full;
+        if (c == '|') here.heading = (here.heading + full / 2) % full;
+        if (c == '[') saved.push_back(here);
+        if (c == ']') {
+            here = saved.back();
+            saved.pop_back();
+        }
+        if (c != 'F' && c != 'f') continue;
+        const State before = here;
+        here.a += ways[static_cast<std::size_t>(here.heading)].first;
+        here.b += ways[static_cast<std::size_t>(here.heading)].second;
+        const std::pair from(before.a, before.b), to(here.a, here.b);
+        const auto [low, high] = std::minmax(from, to);
+        if (c == 'F') drawn.insert({low.first, low.second, high.first, high.second});
+    }
+    return drawn.size();
+}
+
+}  // namespace
+
+TEST_CASE("segments of random commands are those that are counted by hand") {
+    std::mt19937 random(3);
+    const auto below = [&](std::size_t count) { return std::size_t{random() % count}; };
+    std::size_t repeated = 0;
+    for (int round = 0; round < 120; ++round) {
+        const bool square = below(2) == 0;
+        std::string commands;
+        std::size_t open = 0, steps = 0;
+        for (std::size_t left = 4 + below(30); left > 0; --left) {
+            const char c = "FFFFff+-|[]"[below(11)];
+            if (c == ']' && open == 0) continue;
+            open += c == '[' ? 1u : 0u;
+            open -= c == ']' ? 1u : 0u;
+            steps += c == 'F' ? 1u : 0u;
+            commands += c;
+        }
+        commands += std::string(open, ']');
+        const std::size_t count = segments_by_hand(commands, square);
+        repeated += count < steps ? 1u : 0u;
+        CAPTURE(commands);
+        CAPTURE(square);
+        const Json turtle{{"turn", square ? "1/4" : "1/6"}, {"letters", {{"a", commands}}}};
+        for (const std::size_t said : {count, count + 1}) {
+            const Json numbers{
+                {"numbers", Json::array({"distinct segments(X,0)", "=", std::to_string(said)})}};
+            CHECK(found(with_turtle(turtle, numbers.dump().c_str())).outcome ==
+                  (said == count ? Outcome::checked : Outcome::wrong));
+        }
+    }
+    MESSAGE(repeated, " of 120 figures draw a segment twice");
+    CHECK(repeated > 20);
 }

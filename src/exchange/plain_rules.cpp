@@ -146,17 +146,21 @@ void FormatWriter::check_programs() const {
 }
 
 void FormatWriter::check_first_wins() const {
-    for (std::size_t i = 0; i < system_.rules.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const Production &rule = system_.rules[i], &before = system_.rules[j];
-            if (!rule.probability && !rule.condition && !before.probability && !before.condition &&
-                rule.predecessor.symbol == before.predecessor.symbol &&
-                rule.predecessor.parameters.size() == before.predecessor.parameters.size() &&
-                rule.left == before.left && rule.right == before.right)
-                refuse(rule,
-                       "it is one of several for its letter, of which the first is always taken "
-                       "there");
+    std::set<std::vector<std::size_t>> seen;  // letters with their numbers of parameters, by place
+    for (const Production& rule : system_.rules) {
+        if (rule.probability || rule.condition) continue;
+        std::vector<std::size_t> key;
+        for (const Pattern& part : {rule.left, Pattern{rule.predecessor}, rule.right}) {
+            key.push_back(part.size());
+            for (const ModulePattern& one : part) {
+                key.push_back(one.symbol);
+                key.push_back(one.parameters.size());
+            }
         }
+        if (!seen.insert(std::move(key)).second)
+            refuse(rule,
+                   "it is one of several for its letter, of which the first is always taken there");
+    }
 }
 
 std::vector<const Production*> FormatWriter::rules_by_reach() const {

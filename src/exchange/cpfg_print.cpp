@@ -90,6 +90,8 @@ private:
 
     /// A branch in a context is the first of those that stand together there.
     void check_branches(const Production& rule) const {
+        const auto opens = [&](const ModulePattern& one) { return name(one.symbol) == "["; };
+        if (std::ranges::none_of(rule.right, opens)) return;
         std::vector<CpfgModule> context;
         for (const ModulePattern& one : rule.right) {
             context.emplace_back();

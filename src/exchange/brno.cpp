@@ -492,7 +492,6 @@ public:
     BrnoSystem written() {
         check_plain_rules(false);
         check_plain_settings();
-        if (!system_.coding.empty()) refuse("a coding");
         check_start();
         out_.axiom = letters(system_.axiom.letters, "the axiom");
         std::map<char, std::string> rules;

@@ -699,7 +699,6 @@ public:
         check_plain_rules(false);
         check_plain_settings();
         const Drawing& drawing = system_.drawing;
-        if (!system_.coding.empty()) refuse("a coding");
         if (drawing.start && drawing.start->heading.value != 0)
             refuse("a start heading other than 0");
         if (!is_usual(drawing.spin, 0)) refuse("a spin");

@@ -24,7 +24,6 @@ public:
         check_plain_rules(true);
         check_plain_settings();
         const Drawing& drawing = system_.drawing;
-        if (!system_.coding.empty()) refuse("a coding");
         if (!is_usual(drawing.shrink, 1))
             refuse("that steps shrink from one generation to the next");
         if (!is_usual(drawing.spin, 0)) refuse("a spin");

@@ -146,7 +146,6 @@ private:
 
     void drawing() const {
         check_plain_settings();
-        if (!system_.coding.empty()) refuse("a coding");
         const Drawing& drawing = system_.drawing;
         if (!is_usual(drawing.shrink, 1)) refuse("steps that shrink");
         if (!is_usual(drawing.spin, 0)) refuse("a spin");

@@ -575,33 +575,29 @@ private:
 
     /// Refuses what makes another morphism than the one that stands there.
     void check_operations() const {
-        char mark = 0;
-        for (std::size_t i = 0; i < said_.size(); ++i) {
-            const char c = said_[i];
-            if (c == '\n') mark = 0;
-            if (mark != 0) {
-                if (c == mark) mark = 0;
-                continue;
-            }
-            if (c == '\'' || c == '"') mark = c;
-            const std::size_t line = said_.rfind('\n', i) + 1;
-            const std::string_view before = trimmed(std::string_view(said_).substr(line, i - line));
-            if (c == '^' || (c == '*' && !before.ends_with("import")))
-                text_.fail(i,
-                           "powers and products make other morphisms, which are not computed here; "
-                           "expected "
-                           "WordMorphism('a->ab,b->a') and a call such as m('a', 5)");
-            static constexpr std::string_view other[] = {
-                "reversal", "conjugate",          "restrict_domain", "extend_by",
-                "dual_map", "list_of_conjugates", "inverse"};
-            if (c == '.')
+        const std::string_view text = said_;
+        for (std::size_t i = 0; (i = text.find_first_of("'\"^*.", i)) < text.size(); ++i) {
+            const char c = text[i];
+            if (c == '\'' || c == '"') {  // what is quoted goes to the mark or the end of the line
+                i = std::min(text.find_first_of(std::string{c, '\n'}, i + 1), text.size());
+            } else if (c == '.') {
+                static constexpr std::string_view other[] = {
+                    "reversal", "conjugate",          "restrict_domain", "extend_by",
+                    "dual_map", "list_of_conjugates", "inverse"};
                 for (const std::string_view method : other)
-                    if (std::string_view(said_).substr(i + 1).starts_with(method))
-                        text_.fail(
-                            i, "." + std::string(method) +
-                                   " makes another morphism, which is not computed here; expected "
-                                   "WordMorphism('a->ab,b->a') and a call such as m('a', 5)");
+                    if (text.substr(i + 1).starts_with(method))
+                        refuse_other(
+                            i, "." + std::string(method) + " makes another morphism, which is");
+            } else if (const std::size_t line = text.rfind('\n', i) + 1;
+                       c == '^' || !trimmed(text.substr(line, i - line)).ends_with("import")) {
+                refuse_other(i, "powers and products make other morphisms, which are");
+            }
         }
+    }
+    [[noreturn]] void refuse_other(std::size_t offset, const std::string& what) const {
+        text_.fail(offset, what +
+                               " not computed here; expected WordMorphism('a->ab,b->a') and a call "
+                               "such as m('a', 5)");
     }
 
     /// What stands between the quotation marks of the next WordMorphism(...); the whole text where the word is missing.

@@ -613,7 +613,6 @@ public:
     std::string text() {
         check_plain_rules(true);
         check_plain_settings();
-        if (!system_.coding.empty()) refuse("a coding");
         for (const Symbol symbol : system_.axiom.letters) see(symbol, "the axiom");
         for (const Production& rule : system_.rules) {
             const std::string where = "the rule " + print_rule(system_.alphabet, rule);

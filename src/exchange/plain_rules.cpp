@@ -121,6 +121,7 @@ void FormatWriter::check_plain_rules(bool choices) const {
 
 void FormatWriter::check_plain_settings() const {
     const Drawing& drawing = system_.drawing;
+    if (!system_.coding.empty()) refuse("a coding");
     if (!system_.environments.empty()) refuse("environments");
     if (drawing.tropism) refuse("a tropism");
     if (!drawing.surfaces.empty()) refuse("surfaces");
@@ -135,7 +136,6 @@ void FormatWriter::check_programs() const {
     if (!drawing.solids.empty()) refuse("solids");
     if (drawing.scale) refuse("the setting scale");
     if (drawing.narrow) refuse("the setting narrow");
-    if (!system_.coding.empty()) refuse("a coding");
     if (!system_.axiom.splices.empty()) refuse("the axiom's words");
     check_first_wins();
     for (const Production& rule : system_.rules) {

@@ -492,7 +492,6 @@ protected:
     StringWriter(const Model& system, const char* format) : FormatWriter(system, format) {
         check_plain_rules(false);
         check_plain_settings();
-        if (!system.coding.empty()) refuse("a coding");
         if (!system.drawing.stamps.empty()) refuse("stamps");
         if (!system.drawing.solids.empty()) refuse("solids");
         angle_ = decimal(system.drawing.angle, 90, "angle");

@@ -45,12 +45,12 @@ protected:
     /// Refuses all but words of letters without parameters as axiom and rules, contexts and conditions;
     /// several rules for a letter unless `choices`.
     void check_plain_rules(bool choices) const;
-    /// The settings that move every figure but are no matter of words: refuses a tropism, environments,
+    /// What is no matter of rules but changes every figure or word: refuses codings, a tropism, environments,
     /// surfaces and plots. Titles, colours, cameras, line widths, seeds and what is expected are left out
     /// by all formats.
     void check_plain_settings() const;
 
-    /// What cpfg, lpfg and L-Py have no words for: besides the above stamps, solids, settings of the turtle's state, codings, words in the
+    /// What cpfg, lpfg and L-Py have no words for: besides the above stamps, solids, settings of the turtle's state, words in the
     /// axiom and in rules, shape rules and contexts elsewhere.
     void check_programs() const;
     /// Refuses two rules of which either may be taken: those programs take the first.

@@ -281,7 +281,7 @@ private:
     std::size_t find(std::string_view what, std::size_t from, std::size_t to) const {
         return std::min(std::string_view(line_).substr(0, to).find(what, from), to);
     }
-    /// The end of the word that begins at the next place which is no blank; blanks it.
+    /// The word that begins at the next place which is no blank; it is blanked.
     std::string take_word(std::size_t from, std::size_t to) {
         const std::size_t first = std::min(line_.find_first_not_of(" \t", from), to);
         const std::size_t end = std::min(line_.find_first_of(" \t", first), to);
@@ -323,9 +323,7 @@ private:
         const std::size_t condition = find(":", from, to);
         if (condition < arrow) blank(condition, arrow);
         if (arrow > from && line_[arrow - 1] == '-') blank(arrow - 1, arrow);
-        blank(arrow, arrow + 2);
-        if (line_[arrow] == ' ' && (line_[std::min(arrow + 2, line_.size() - 1)] & 0xc0) == 0x80)
-            blank(arrow + 2, arrow + 3);  // the last byte of an arrow that is one character
+        blank(arrow, arrow + std::string_view(line_[arrow] == '-' ? "->" : "→").size());
         if (const std::size_t at = find("interpret ", from, arrow); at < arrow)
             blank(at, at + std::string("interpret ").size());
         if (in_coding_) blank(arrow, to);  // what stands there are no letters of the system

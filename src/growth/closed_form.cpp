@@ -242,11 +242,10 @@ Polynomial annihilator(const std::vector<Integer>& all_row, const GrowthMatrix& 
     std::optional<std::size_t> dimensions;
     const auto proves = [&, &row = row, &matrix = matrix,
                          &column = column](const Polynomial& candidate) {
-        const std::size_t degree = candidate.coefficients().size();
+        if (4 * candidate.coefficients().size() >= matrix.size())
+            return annihilates(candidate, row, matrix, column, budget);
         if (!dimensions)
-            dimensions = 4 * degree < matrix.size()
-                             ? annihilator(row, matrix, budget).coefficients().size() - 1
-                             : matrix.size();
+            dimensions = static_cast<std::size_t>(annihilator(row, matrix, budget).degree());
         return begins_with_zeros(image(candidate, row, matrix, budget), matrix, column, *dimensions,
                                  budget);
     };

@@ -5,6 +5,7 @@
 // have is null.
 
 #include <algorithm>
+#include <charconv>
 
 #include "report/report.hpp"
 
@@ -84,14 +85,10 @@ Place place_of(std::string_view message) {
     if (second == std::string_view::npos || second == 0 || said.size() == message.size()) return {};
     const std::size_t first = said.rfind(':', second - 1);
     if (first == std::string_view::npos || first == 0) return {};
-    const auto number = [](std::string_view digits) {
+    const auto number = [](std::string_view digits) {  // 0 if it is none
         std::size_t value = 0;
-        const bool is_number =
-            !digits.empty() && digits.size() < 10 &&
-            std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
-        if (is_number)
-            for (const char c : digits) value = 10 * value + static_cast<std::size_t>(c - '0');
-        return value;
+        const char* const end = digits.data() + digits.size();
+        return std::from_chars(digits.data(), end, value).ptr == end ? value : 0;
     };
     const std::size_t line = number(said.substr(first + 1, second - first - 1)),
                       column = number(said.substr(second + 1));

@@ -8,6 +8,7 @@ import random
 import re
 import resource
 import shlex
+import signal
 import subprocess
 import sys
 import time
@@ -160,21 +161,24 @@ class Room:
             objects = list(pool.map(one, self.units()))
         return objects
 
-    def link(self, objects):
-        """The tests of the room with these objects, whose symbols replace those of the library."""
+    def link(self, objects, main='run.cpp', options=()):
+        """The tests of the room with these objects, whose symbols replace those of the library, and with this main program."""
         test = f'tests/test_{self.name}'
-        main = 'tests/CMakeFiles/test_main.dir/main.cpp.o'
+        main_of_tests = 'tests/CMakeFiles/test_main.dir/main.cpp.o'
         command = subprocess.run(['ninja', '-C', str(self.build), '-t', 'commands', test], capture_output=True, text=True,
                                  check=True).stdout.splitlines()[-1]
         words = [word for word in shlex.split(command) if word not in (':', '&&')]
-        source, run = HERE / 'run.cpp', self.folder / 'run.o'
+        source = HERE / main
+        run, program = self.folder / (source.stem + '.o'), str(self.folder / f'{source.stem}_{self.name}')
         if not run.exists() or run.stat().st_mtime < source.stat().st_mtime:
-            subprocess.run([words[0], '-std=c++20', '-O1', '-c', str(source), '-o', str(run)], check=True)
-        program = str(self.folder / f'test_{self.name}')
-        at = words.index(main)
-        words[at:at + 1] = [str(run)] + objects
+            subprocess.run([words[0], '-std=c++20', '-O1', '-w', *(f'-I{ROOT / folder}' for folder in ('src', 'tests')),
+                            '-c', str(source), '-o', str(run)], check=True)
+        at = words.index(main_of_tests)
+        words[at:at + 1] = [str(run)] + objects + list(options)
         words[words.index('-o') + 1] = program
-        subprocess.run(words, cwd=self.build, check=True)
+        inputs = [self.build / word for word in words if word.endswith(('.o', '.a')) and (self.build / word).exists()]
+        if not os.path.exists(program) or os.path.getmtime(program) < max(file.stat().st_mtime for file in inputs):
+            subprocess.run(words, cwd=self.build, check=True)
         return program
 
 
@@ -195,6 +199,7 @@ class Tests:
         if run.returncode != 0:
             sys.exit('The tests fail without a mutant:\n' + run.stdout[-4000:])
         self.names, self.seconds, self.reached, self.at_start = [], [], [], set()
+        self.noticed = {}  # of each file: lines of mutants, and the tests that noticed them
         for line in listed.read_text().splitlines():
             seconds, name, numbers = line.split('\t')
             if not name:
@@ -205,7 +210,7 @@ class Tests:
             self.reached.append(set(map(int, numbers.split())))
 
     def that_reach(self, mutant, longest):
-        """The tests that evaluate a mutant, the quick ones first, and the seconds they take."""
+        """The tests that evaluate a mutant: those that noticed its neighbours first, then the quick ones."""
         found = [i for i in range(len(self.names)) if mutant.number in self.reached[i]]
         if mutant.number in self.at_start:
             found = range(len(self.names))
@@ -213,28 +218,32 @@ class Tests:
             found = range(found[0], len(self.names))
         found = [i for i in found if self.seconds[i] <= longest]
         found.sort(key=lambda i: self.seconds[i])
-        return found, sum(self.seconds[i] for i in found)
+        near = sorted(list(self.noticed.get(mutant.file, {}).items()), key=lambda each: abs(each[0] - mutant.line))[:3]
+        first = list(dict.fromkeys(test for _, test in near if test in found and self.seconds[test] < 1))
+        return first + [i for i in found if i not in first]
 
     def judge(self, mutant, longest):
         """What becomes of a mutant: killed, timed out, survived or not reached."""
-        tests, seconds = self.that_reach(mutant, longest)
+        tests = self.that_reach(mutant, longest)
         if not tests:
             return 'not reached'
-        limit = 5 * seconds + 1
 
         def limited():
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-            resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 2))
 
+        limits = [5 * self.seconds[i] + 0.5 for i in tests]
         try:
-            run = subprocess.run([self.program, 'kill', str(mutant.number)] + [str(i) for i in tests],
+            run = subprocess.run([self.program, 'kill'] + [f'{i}:{limit}' for i, limit in zip(tests, limits)],
                                  env={**ENVIRONMENT, 'ALGAE_MUTANT': str(mutant.number)}, preexec_fn=limited,
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=4 * limit)
+                                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=4 * sum(limits))
         except subprocess.TimeoutExpired:
             return 'timed out'
         if run.returncode == 0:
             return 'survived'
-        return 'timed out' if run.returncode in (-24, -9) else 'killed'
+        by = re.search(rb'\nnoticed by (\d+)\n$', run.stdout[-100:])
+        if by:
+            self.noticed.setdefault(mutant.file, {})[mutant.line] = int(by[1])
+        return 'timed out' if -run.returncode in (signal.SIGPROF, signal.SIGKILL) else 'killed'
 
 
 def key_of(mutant, lines):
@@ -249,12 +258,17 @@ def known_equivalents(room):
         if line.startswith('#') or not line.strip():
             continue
         parts = [part.strip() for part in line.split(' ## ')]
-        if len(parts) != 6 or not parts[2].isdigit():
+        if len(parts) != 6 or not parts[2].isdigit() and parts[2:5] != ['*'] * 3:
             sys.exit('equivalent.txt: expected FILE ## LINE ## COLUMN ## ORIGINAL ## CHANGED ## REASON, found ' + line)
         if tuple(parts[:5]) in known:
             sys.exit('equivalent.txt: two lines for one mutant: ' + line)
         known[tuple(parts[:5])] = parts[5]
     return {key: reason for key, reason in known.items() if key[0].startswith(f'src/{room}/')}
+
+
+def reason_for(key, known):
+    """Why a mutant is equivalent: by its own line of equivalent.txt, or by one for all mutants of its line. None if it is not known to be."""
+    return known.get(key, known.get((*key[:2], '*', '*', '*')))
 
 
 def main():
@@ -265,7 +279,13 @@ def main():
     parser.add_argument('--only', nargs='+', action='extend', metavar='FILE', help='the mutants of these files only')
     parser.add_argument('--list', action='store_true', help='only print the mutants, as equivalent.txt writes them')
     parser.add_argument('--longest', type=float, default=float('inf'),
-                        help='leave out test cases that take more seconds')
+                        help='leave out test cases that take more seconds; of less than 10, also those of the suite "long"')
+    parser.add_argument('--again', action='store_true',
+                        help='only judge what the last run did not find to be noticed: for tests that were added')
+    parser.add_argument('--hunt', type=int, metavar='SECONDS',
+                        help='look for changed certificates that notice what no run has found to be noticed, and add them to the tests')
+    parser.add_argument('--try', type=Path, metavar='FILE', dest='try_file',
+                        help='write what is found with the changes of a file of cases, and print the survivors that are noticed')
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--build', type=Path, default=ROOT / 'build/release')
     asked = parser.parse_args()
@@ -276,6 +296,7 @@ def main():
     room.choose(asked.only, asked.sample, asked.seed)
     text = {source.file: source.text.splitlines() for source in room.sources}
     found = {key_of(mutant, text[mutant.file]) for mutant in room.mutants}
+    found |= {(*key[:2], '*', '*', '*') for key in found}
     for key in known_equivalents(asked.room):
         if key not in found:
             sys.exit('equivalent.txt names a mutant that is not there: ' + ' ## '.join(key))
@@ -286,15 +307,32 @@ def main():
         return
     say(f'{len(room.wanted)} mutants of {asked.room}')
     dropped = room.drop_what_fails()
+    if asked.hunt or asked.try_file:
+        return hunt(room, text, asked.hunt, asked.try_file)
+    if asked.longest < 10:
+        ENVIRONMENT['ALGAE_QUICK'] = '1'
     tests = Tests(room.link(room.compile()), room.folder)
     say(f'  {len(tests.names)} test cases take {sum(tests.seconds):.1f} s')
 
     wanted = [mutant for mutant in room.mutants if mutant.number in room.wanted]
-    kept = Kept(room, tests, asked.longest)
+    kept = Kept(room, tests, asked.longest, noticed_before(room) if asked.again else {})
     found = {mutant.number: kept.outcomes[mutant.number] for mutant in wanted if mutant.number in kept.outcomes}
     if found:
         say(f'  {len(found)} are known from the run before, which ended early')
     left, begin = [mutant for mutant in wanted if mutant.number not in found], time.monotonic()
+    noticed = noticed_by_cases(room, left, asked.jobs) if room.name == 'verify' and not asked.again else set()
+    for mutant in left:
+        if mutant.number in noticed:
+            found[mutant.number] = 'killed'
+            kept.add(mutant, 'killed')
+    if noticed:
+        say(f'  {len(noticed)} are noticed by the changed certificates of the tests, in one process')
+    left = [mutant for mutant in left if mutant.number not in found]
+    if asked.again:  # those that are explained are believed: a whole run tries them, too
+        known = known_equivalents(asked.room)
+        explained = [mutant for mutant in left if reason_for(key_of(mutant, text[mutant.file]), known) is not None]
+        found.update({mutant.number: 'survived' for mutant in explained})
+        left = [mutant for mutant in left if mutant.number not in found]
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         for mutant, outcome in zip(left, pool.map(lambda each: tests.judge(each, asked.longest), left)):
             found[mutant.number] = outcome
@@ -305,10 +343,176 @@ def main():
     sys.exit(report(room, wanted, found, dropped))
 
 
+def hunter(room):
+    """The program that changes certificates."""
+    wrap = ('_ZN5algae6verify17check_certificateERKNSt7__cxx1112basic_string'
+            'IcSt11char_traitsIcESaIcEEES8_RKNS_6BudgetE')
+    return room.link(room.compile(), 'hunt.cpp', [f'-Wl,--wrap={wrap}'])
+
+
+def written(out):
+    """What the program wrote, a line each; lines that a crash of a mutant left unfinished are none."""
+    for line in out.read_text(errors='replace').split('\n'):
+        try:
+            yield json.loads(line)
+        except ValueError:
+            pass
+
+
+def noticed_by_cases(room, mutants, jobs):
+    """The mutants that the changed certificates of the tests notice: thousands of checks in one process are far quicker than a process
+    for each mutant."""
+    program, numbers = hunter(room), room.folder / 'left'
+    files, noticed = sorted((ROOT / 'tests/verify/certificates').rglob('*.json')), set()
+    numbers.write_text('\n'.join(str(mutant.number) for mutant in mutants))
+
+    def one(file):
+        out = room.folder / ('tried-' + file.stem)
+        subprocess.run([program, 'try', str(file), str(numbers), str(out)], check=True, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+        return {each['mutant'] for each in written(out) if 'mutant' in each}
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for each in pool.map(one, files):
+            noticed |= each
+    return noticed
+
+
+def hunt(room, text, seconds, try_file):
+    """Looks for changed certificates that notice survivors, and writes them to the tests. With `try_file` only those of the file."""
+    if room.name != 'verify':
+        sys.exit('--hunt: only certificates are changed, which are checked by verify')
+    known, alive = known_equivalents(room.name), []
+    dead, by_number = noticed_before(room).keys(), {mutant.number: mutant for mutant in room.mutants}
+    for mutant in room.mutants:
+        if mutant.number in room.wanted - dead and reason_for(key_of(mutant, text[mutant.file]), known) is None:
+            alive.append(mutant.number)
+    program = hunter(room)
+    if try_file:
+        return try_changes(room, program, try_file, alive)
+    cases, numbers, others = room.folder / 'cases.json', room.folder / 'alive', room.folder / 'others'
+    if not cases.exists():
+        say('  Certificates of the theory, if the command is built, and of the tests')
+        with others.open('w') as out:
+            out.writelines(line + '\n' for line in certificates_of_theory(room))
+        subprocess.run([program, 'collect', str(cases), str(others)], check=True, stdout=subprocess.DEVNULL, env=ENVIRONMENT)
+    numbers.write_text('\n'.join(map(str, alive)))
+    outs = [room.folder / f'noticed-{job}' for job in range(room.jobs)]
+    seed = random.SystemRandom().randrange(1 << 32)
+    runs = [subprocess.Popen([program, 'hunt', str(cases), str(numbers), str(out), str(seconds), str(seed + 10**6 * job)],
+                             stdout=None if job == 0 else subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=ENVIRONMENT)
+            for job, out in enumerate(outs)]
+    if any(run.wait() != 0 for run in runs):
+        sys.exit('the hunt ended with an error')
+    noticed = {}
+    for out in outs:
+        for one in written(out):
+            noticed.setdefault(one['mutant'], one)
+    keep(json.loads(cases.read_text()), noticed, {mutant.number: Path(mutant.file).stem for mutant in room.mutants})
+    note_noticed(room, by_number, noticed)
+    say(f'  {len(noticed)} of {len(alive)} survivors are noticed; judge them again')
+
+
+def certificates_of_theory(room):
+    """Certificates of one statement each, for all claims of the theory that are judged within a minute."""
+    command, file = room.build / 'algae', room.folder / 'theory.json'
+    for claim in sorted((ROOT / 'theory').rglob('*.claim')) if command.exists() else []:
+        file.unlink(missing_ok=True)
+        try:
+            subprocess.run([str(command), 'check', str(claim), '--certificate', str(file)], timeout=60, capture_output=True)
+        except subprocess.TimeoutExpired:
+            continue
+        whole = json.loads(file.read_text()) if file.exists() else {'statements': []}
+        for statement in whole['statements']:
+            text = json.dumps(statement)
+            systems = {name: system for name, system in whole['systems'].items() if name in text}
+            yield json.dumps({**whole, 'systems': systems, 'statements': [statement]})
+
+
+def note_noticed(room, by_number, noticed):
+    """Adds mutants to those that are known to be noticed: the tests have the changes now."""
+    file = room.folder / 'found-so-far'
+    if not file.exists():
+        file = room.folder / 'found'
+    with file.open('a') as out:
+        for number in noticed:
+            mutant = by_number[number]
+            out.write(f'killed\t{number}\t{mutant.file}:{mutant.line}\t{mutant.original}\t{mutant.changed}\n')
+
+
+def try_changes(room, program, file, alive):
+    """Completes a file of cases by what is found, and prints the survivors that notice its changes."""
+    numbers, out = file.with_suffix('.alive'), file.with_suffix('.out')
+    numbers.write_text('\n'.join(map(str, alive)))
+    subprocess.run([program, 'try', str(file), str(numbers), str(out)], check=True, env=ENVIRONMENT, stderr=subprocess.DEVNULL)
+    cases, noticed = json.loads(file.read_text()), set()
+    for one in written(out):
+        case = cases[one['case']]
+        if 'mutant' in one:
+            noticed.add(one['mutant'])
+        elif not one['change']:
+            case.update(case=case.get('case', one['says']), outcome=one['outcome'], says=one['says'])
+        else:
+            case['changes'] = [[each[0], one['outcome'], one['says']] if each[0] == one['change'] else each
+                               for each in case['changes']]
+    write_cases(file, cases)
+    for mutant in room.mutants:
+        if mutant.number in noticed:
+            say(f'{mutant.file}:{mutant.line}: at {mutant.column}: {mutant.original}  ->  {mutant.changed}')
+    say(f'  {len(noticed)} survivors are noticed')
+    numbers.unlink()
+    out.unlink()
+
+
+def keep(cases, noticed, file_of):
+    """Adds the changes that notice mutants to the cases of tests/verify/certificates/mutants, a file for each source."""
+    folder = ROOT / 'tests/verify/certificates/mutants'
+    folder.mkdir(exist_ok=True)
+    files = {}
+    for number, one in sorted(noticed.items()):
+        name = file_of[number]
+        if name not in files:
+            path = folder / f'{name}.json'
+            files[name] = json.loads(path.read_text()) if path.exists() else []
+        case = cases[one['case']]
+        same = [each for each in files[name] if all(each.get(part) == case.get(part) for part in
+                                                    ('header', 'alphabet', 'systems', 'statement', 'verdict', 'proof'))]
+        if not same:
+            same = [{**case, 'changes': []}]
+            files[name] += same
+        change = [one['change'], one['outcome'], one['says']]
+        if one['change'] and change not in same[0]['changes']:
+            same[0]['changes'].append(change)
+    for name, all_cases in files.items():
+        write_cases(folder / f'{name}.json', all_cases)
+
+
+def write_cases(path, cases):
+    """Writes a file of cases: a line for each field and each change."""
+    def line(value):
+        return json.dumps(value, ensure_ascii=False)
+
+    text = []
+    for case in cases:
+        fields = [f'        {line(key)}: {line(value)}' for key, value in case.items() if key != 'changes']
+        changes = ',\n'.join('            ' + line(each) for each in case['changes'])
+        text.append('    {\n' + ',\n'.join(fields) + ',\n        "changes": [' +
+                    (f'\n{changes}\n        ' if changes else '') + ']\n    }')
+    put(path, '[\n' + ',\n'.join(text) + '\n]\n')
+
+
+def noticed_before(room):
+    """The mutants that the last run, or the one before that ended early, found to be noticed, and how."""
+    last = max(filter(Path.exists, (room.folder / 'found', room.folder / 'found-so-far')), key=lambda file: file.stat().st_mtime,
+               default=None)
+    lines = [line.split('\t') for line in last.read_text().splitlines()[1:]] if last else []
+    return {int(line[1]): line[0] for line in lines if len(line) == 5 and line[0] in ('killed', 'timed out')}
+
+
 class Kept:
     """What was found so far, in a file, from which a run goes on that was stopped before its end."""
 
-    def __init__(self, room, tests, longest):
+    def __init__(self, room, tests, longest, before):
         program = zlib.crc32(Path(tests.program).read_bytes())
         self.file, head = room.folder / 'found-so-far', f'{program} {longest}\n'
         lines = self.file.read_text().splitlines(True) if self.file.exists() else []
@@ -321,6 +525,11 @@ class Kept:
         else:
             self.file.write_text(head)
         self.out = self.file.open('a', buffering=1)
+        new = before.keys() - self.outcomes.keys()
+        for mutant in room.mutants:
+            if mutant.number in new:
+                self.outcomes[mutant.number] = before[mutant.number]
+                self.add(mutant, before[mutant.number])
 
     def add(self, mutant, outcome):
         self.out.write(f'{outcome}\t{mutant.number}\t{mutant.file}:{mutant.line}\t{mutant.original}\t{mutant.changed}\n')
@@ -335,7 +544,7 @@ def report(room, wanted, found, dropped):
         outcome = found[mutant.number]
         if outcome in ('killed', 'timed out'):
             continue
-        reason = known.get(key_of(mutant, text[mutant.file]))
+        reason = reason_for(key_of(mutant, text[mutant.file]), known)
         explained += reason is not None
         open_ones += reason is None
         counts = by_file.setdefault(mutant.file, [0, 0])

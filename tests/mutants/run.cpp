@@ -2,17 +2,20 @@
 //
 //     PROGRAM cover FILE           runs all tests; for each a line: CPU seconds, name, the mutants that were reached;
 //                                the first line, without a name, has those that are reached before
-//     PROGRAM kill NUMBER TEST...  switches a mutant on and runs these tests, counted from 0, until one fails
+//     PROGRAM kill TEST:SECONDS...  runs these tests, counted from 0, until one fails, which is named, or takes more of the processor
 //
-// A mutant is switched on before constants are initialised, so there is a process for each.
+// The mutant of ALGAE_MUTANT is switched on before constants are initialised, so there is a process for each.
 
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
+
+#include <sys/time.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -75,19 +78,37 @@ REGISTER_LISTENER("cover", 1, Cover);
 
 }  // namespace mutants
 
+/// With ALGAE_QUICK the tests of the suite "long" are left out.
+void leave_out_long_ones(doctest::Context& tests) {
+    if (std::getenv("ALGAE_QUICK")) tests.setOption("test-suite-exclude", "long");
+}
+
 int main(int count, char** words) {
     const std::vector<std::string> given(words, words + count);
     if (given.size() == 3 && given[1] == "cover") {
         mutants::coverage.open(given[2]);
-        return doctest::Context().run();
+        doctest::Context all;
+        leave_out_long_ones(all);
+        return all.run();
     }
     for (std::size_t i = 2; i < given.size(); ++i) {
         doctest::Context test;
-        const int number = std::stoi(given[i]) + 1;
+        const std::size_t colon = given[i].find(':');
+        const int number = std::stoi(given[i].substr(0, colon)) + 1;
+        const double most = std::stod(given[i].substr(colon + 1));
+        itimerval limit{};  // SIGPROF ends the process
+        limit.it_value.tv_sec = static_cast<time_t>(most);
+        limit.it_value.tv_usec =
+            static_cast<suseconds_t>((most - static_cast<double>(limit.it_value.tv_sec)) * 1e6);
+        setitimer(ITIMER_PROF, &limit, nullptr);
+        leave_out_long_ones(test);
         test.setOption("first", number);
         test.setOption("last", number);
         test.setOption("abort-after", 1);
-        if (test.run() != 0) return 1;
+        if (test.run() != 0) {
+            std::cout << "\nnoticed by " << number - 1 << std::endl;
+            return 1;
+        }
     }
     return 0;
 }

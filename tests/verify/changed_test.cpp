@@ -1,24 +1,20 @@
 // Certificates of each kind of proof, and small changes of them: what is found of each stands beside it, word by word, so a
 // check that is left out, or that looks at another place, is noticed. Tests of other files say which of them can be true.
-//
-// A file of tests/verify/certificates is a list of cases. A case is a certificate with one statement and what is found of it; its
-// changes are lists of places, each with a new value or without one if it is removed, and what is found then: "checked",
-// "wrong: PLACE: REASON", "not checked: REASON", or "error: ..." where the certificate cannot be read; last, how the statement
-// is written, if that is another one.
+
+#include "verify/changed.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "exact/exact.hpp"
 #include "places.hpp"
-#include "verify/verify.hpp"
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-using algae::verify::Finding;
+using changed::Found, changed::Json;
 
 Json cases_of(const std::string& file) {
     std::ifstream text(source_folder() + "/tests/verify/certificates/" + file + ".json");
@@ -26,85 +22,21 @@ Json cases_of(const std::string& file) {
     return Json::parse(text);
 }
 
-/// What is found of the only statement, and how it is written.
-struct Found {
-    std::string outcome, says;
-};
-
-Found found(const Json& certificate) {
-    algae::Budget budget;
-    budget.memory = 256 << 20;
-    try {
-        const auto all = algae::verify::check_certificate(certificate.dump(1), "x.json", budget);
-        if (all.empty()) return {"nothing", ""};
-        const Finding& one = all.front();
-        const std::string path =
-            one.path.starts_with("statements[0].") ? one.path.substr(14) : one.path;
-        switch (one.outcome) {
-            case Finding::Outcome::checked:
-                return {"checked", one.statement};
-            case Finding::Outcome::wrong:
-                return {"wrong: " + path + ": " + one.reason, one.statement};
-            case Finding::Outcome::not_checked:
-                return {"not checked: " + one.reason, one.statement};
-            case Finding::Outcome::cited:
-                return {"cited", one.statement};
-            default:
-                return {"undecided", one.statement};
-        }
-    } catch (const algae::Error& error) {
-        const std::string text = error.what();  // x.json:12: ...
-        return {"error: " + text.substr(text.find(": ") + 2), ""};
-    }
-}
-
-/// A place of a certificate; one that begins with its statement, verdict or proof is within its only statement.
-Json::json_pointer place_of(const std::string& text) {
-    for (const std::string part : {"/statement", "/verdict", "/proof"})
-        if (text == part || text.starts_with(part + "/"))
-            return Json::json_pointer("/statements/0" + text);
-    return Json::json_pointer(text);
-}
-
-void change(Json& certificate, const Json& places) {
-    for (const Json& each : places) {
-        const auto place = place_of(each[0].get<std::string>());
-        if (each.size() == 2) {
-            certificate[place] = each[1];
-            continue;
-        }
-        Json& around = certificate[place.parent_pointer()];
-        if (around.is_array())
-            around.erase(std::stoul(place.back()));
-        else
-            around.erase(place.back());
-    }
-    // The statements come last.
-    const Json statements = certificate["statements"];
-    certificate.erase("statements");
-    certificate["statements"] = statements;
-}
-
 void check_all(const std::string& file, std::size_t least) {
     std::size_t count = 0;
-    for (const Json& each : cases_of(file)) {
-        Json certificate{{"format", "algae certificate 1"}, {"claim", "a case"}};
-        if (each.contains("header")) certificate.update(each["header"]);
-        certificate["alphabet"] = each["alphabet"];
-        certificate["systems"] = each["systems"];
-        certificate["statements"] = Json::array({{{"text", ""},
-                                                  {"statement", each["statement"]},
-                                                  {"verdict", each["verdict"]},
-                                                  {"proof", each["proof"]}}});
+    const Json cases = cases_of(file);
+    CHECK(!cases.empty());
+    for (const Json& each : cases) {
+        const Json certificate = changed::certificate_of(each);
         INFO(each["case"].get<std::string>());
-        const Found whole = found(certificate);
+        const Found whole = changed::found(certificate);
         CHECK(whole.outcome == each["outcome"].get<std::string>());
         CHECK(whole.says == each["says"].get<std::string>());
         for (const Json& one : each["changes"]) {
-            Json changed = certificate;
-            change(changed, one[0]);
+            Json other = certificate;
+            changed::change(other, one[0]);
             INFO(one[0].dump());
-            const Found then = found(changed);
+            const Found then = changed::found(other);
             CHECK(then.outcome == one[1].get<std::string>());
             if (!then.says.empty())
                 CHECK(then.says == (one.size() > 2 ? one[2].get<std::string>() : whole.says));
@@ -112,6 +44,17 @@ void check_all(const std::string& file, std::size_t least) {
         }
     }
     CHECK(count >= least);
+}
+
+/// Every fourth file of those that `tools/mutants verify --hunt` writes: changes that notice mutants of the checker.
+void check_noticed(std::size_t first) {
+    std::vector<std::string> files;
+    const std::string folder = source_folder() + "/tests/verify/certificates/mutants";
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        files.push_back(entry.path().stem().string());
+    std::sort(files.begin(), files.end());
+    REQUIRE(files.size() > 20);
+    for (std::size_t i = first; i < files.size(); i += 4) check_all("mutants/" + files[i], 0);
 }
 
 }  // namespace
@@ -137,3 +80,11 @@ TEST_CASE("changed statements: powers, codes, automata, quantifiers, and what is
 }
 
 TEST_CASE("statements are written from what was read") { check_all("written", 80); }
+
+TEST_CASE("changes that mutants of the checker are noticed by: first files") { check_noticed(0); }
+
+TEST_CASE("changes that mutants of the checker are noticed by: second files") { check_noticed(1); }
+
+TEST_CASE("changes that mutants of the checker are noticed by: third files") { check_noticed(2); }
+
+TEST_CASE("changes that mutants of the checker are noticed by: fourth files") { check_noticed(3); }

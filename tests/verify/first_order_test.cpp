@@ -176,7 +176,8 @@ std::vector<int> factors_of(const std::string& prefix, bool palindromes, std::si
 
 }  // namespace
 
-TEST_CASE("sums of complexities are those of long prefixes, and verify counts again") {
+TEST_CASE("sums of complexities are those of long prefixes, and verify counts again" *
+          doctest::test_suite("long")) {
     std::size_t proofs = 0, refutations = 0, late = 0, changed = 0;
     std::vector<KnownWord> some;
     std::vector<std::vector<int>> complexities, palindromes;

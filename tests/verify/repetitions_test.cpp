@@ -176,7 +176,8 @@ TEST_CASE("circular systems have a synchronising delay, others powers of a word 
     CHECK(entry(certificate_of("a -> abb; b -> ε", "T is circular"))["verdict"] == "undecided");
 }
 
-TEST_CASE("random morphisms: certificates of exponents and of circularity are checked") {
+TEST_CASE("random morphisms: certificates of exponents and of circularity are checked" *
+          doctest::test_suite("long")) {
     std::mt19937 generator(22);
     const auto below = [&](std::size_t bound) { return generator() % bound; };
     std::size_t drawn = 0, exponents = 0, checked = 0, changed_ones = 0, circular = 0,

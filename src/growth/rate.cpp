@@ -46,7 +46,7 @@ std::pair<Polynomial, std::size_t> deflated(const Polynomial& value) {
 std::pair<Rational, Rational> largest_root(const Polynomial& value, const Rational& above,
                                            long bits) {
     const Polynomial slope = derivative(value);
-    const Rational width(1, power(Integer(2), static_cast<std::uint64_t>(bits)));
+    Rational width(1, power(Integer(2), static_cast<std::uint64_t>(bits)));
     Rational x = above;
     for (long working = 64 + bits;; working *= 2) {
         const long precision = working + longest_coefficient(value) + 4 * value.degree();
@@ -62,6 +62,7 @@ std::pair<Rational, Rational> largest_root(const Polynomial& value, const Ration
             const Rational low = x - width;
             const auto side = sign(value(Ball(low, precision)));
             if (side && *side <= 0) return {low, x};
+            if (side) width = width * Rational(1, 16);  // other roots may lie so near, too
             break;
         }
     }

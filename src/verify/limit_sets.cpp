@@ -290,9 +290,14 @@ Value claimed_value(const Field& field) {
             first = value;
             continue;
         }
-        if (compared(*first, *value) == Order::equal) continue;
+        const Order order = compared(*first, *value);
+        if (order == Order::equal) continue;
         const std::size_t point = written.find('.');
-        if (point == std::string_view::npos || !value->number) field.refuse("two numbers differ");
+        if (point == std::string_view::npos || !value->number) {
+            if (order == Order::unknown)
+                too_hard("it is not seen whether two numbers of a dimension are the same");
+            field.refuse("two numbers differ");
+        }
         const Rational half =
             Rational(1, 2) /
             power(Rational(10), static_cast<std::int64_t>(written.size() - point - 1));

@@ -179,6 +179,15 @@ std::string family_of(const std::string& domain, std::string_view noun) {
     return domain.substr(0, domain.size() - noun.size());
 }
 
+/// Whether a name may range over it: one of the plain nouns, or languages or systems of a family that is known.
+bool is_domain(const std::string& of) {
+    if (std::count(plain_domains.begin(), plain_domains.end(), of) > 0) return true;
+    const std::string languages = family_of(of, " languages");
+    return is_checked_family(languages) || is_family_of_forms(languages) ||
+           languages == "regular" || languages == "context-free" ||
+           is_family_of_forms(family_of(of, " systems"));
+}
+
 bool is_morphism_domain(const std::string& of) {
     return of.ends_with("morphisms") || of == "codings" || of.ends_with("substitutions");
 }
@@ -195,6 +204,8 @@ Statement Reader::quantified(const Field& field) const {
         if (each.has("size")) name.size = each.at("size").number();
         if (each.has("length")) name.length = each.at("length").number();
         if (each.has("up to")) name.most = each.at("up to").number();
+        if (!is_domain(name.of))
+            each.at("of").fail("expected what a name ranges over, found '" + name.of + "'");
         if (name.of.ends_with("languages")) {
             Tree tree;
             tree.kind = Tree::Kind::variable;
@@ -206,10 +217,8 @@ Statement Reader::quantified(const Field& field) const {
             open.morphisms[name.name] = std::nullopt;
         } else if (name.of == "numbers") {
             open.numbers[name.name] = std::nullopt;
-        } else if (name.of == "words" || name.of == "letters") {
-            letter(each.at("name"));
         } else {
-            each.at("of").fail("expected what a name ranges over, found '" + name.of + "'");
+            letter(each.at("name"));
         }
         said->names.push_back(std::move(name));
     }

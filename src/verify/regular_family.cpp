@@ -613,7 +613,9 @@ private:
     /// Whether a finite table of the set may make long lengths of this rest, without small prime divisors that the period has not, of long
     /// shorter ones.
     bool makes_long(const Set& set, const Rest& rest) const {
-        if (set.empty() || set == Set{1}) return false;  // 1 makes each length of itself only
+        if (set.empty()) return false;
+        // 1 makes each length of itself only; from the tail on it stands for longer ones, too.
+        if (set == Set{1} && lengths_.tail > 1) return false;
         const bool endless = *set.rbegin() >= lengths_.tail;
         std::size_t shared = endless ? lengths_.period : 0, differences = shared;
         for (const std::size_t n : set) {
@@ -672,12 +674,14 @@ void check_length_induction(const Obligation& task, const std::vector<Word>& bas
                 successors.insert(word.size());
         made.emplace_back(lengths, successors, static_cast<std::size_t>(from), task.budget);
     }
-    for (std::size_t n = 0; n <= from; ++n)
+    for (std::size_t n = 0; n <= from; ++n) {
+        task.budget.check();
         if (lengths.in(n) && !known.contains(n) &&
             std::none_of(made.begin(), made.end(),
                          [&](const Made& each) { return each.of_fewer(n, 0); }))
             task.refuse("the length " + std::to_string(n) +
                         " is not in the base and does not come from a shorter one");
+    }
     // Rests that are made so, by the moduli of the tables.
     std::vector<std::pair<std::size_t, std::set<std::size_t>>> rests;
     std::size_t all = lengths.period;

@@ -164,6 +164,48 @@ TEST_CASE("a rule for all values passes only where its side condition holds") {
           Outcome::checked);
 }
 
+TEST_CASE("a name ranges over what is known, and over nothing else") {
+    const auto said = [](const char* of) -> std::string {
+        Json statement = Json::parse(
+            R"({"for all": [{"name": "G", "of": "", "size": 2}], "holds": {"palindrome": "a"}})");
+        statement["for all"][0]["of"] = of;
+        try {
+            check(certificate(statement, "proved", Json::parse(R"({"by": "values"})")));
+        } catch (const algae::Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    for (const char* of : {"0L systems", "PDT0L systems", "IL systems", "PD(1,2)L systems",
+                           "E0L languages", "regular languages", "CF languages", "languages",
+                           "finite languages", "codings", "non-erasing morphisms", "numbers"})
+        CHECK_MESSAGE(said(of).empty(), of);
+    for (const char* of :
+         {"F0L systems", "green D0L systems", "systems", " systems", "regular systems",
+          "OL languages", "any languages", "green morphisms", "substitutions", "animals"})
+        CHECK_MESSAGE(said(of).ends_with("].of: expected what a name ranges over, found '" +
+                                         std::string(of) + "'"),
+                      of);
+}
+
+TEST_CASE("the length 1 stands for longer ones, too, where all lengths from 1 on are periodic") {
+    // a -> a | aa generates a+, and a -> a | aaa the words of odd length, so neither is shown to be beyond the family.
+    const auto found = [](const char* language, const char* proof) {
+        const Json is{{"is", "PT0L"}, {"language", Json::parse(language)}};
+        return check(certificate(is, "refuted", Json::parse(proof)))[0];
+    };
+    const auto all = found(
+        R"({"concatenation": [{"words": ["a"]}, {"star": {"words": ["a"]}}]})",
+        R"({"by": "lengths", "targets": [{"rest": [0, 1], "frames": [{"modulus": 1, "rest": 0, "case": {"rest": [0, 1]}}]}]})");
+    CHECK(all.outcome == Outcome::wrong);
+    CHECK(all.reason == "a table with these lengths may make them of long ones");
+    const auto odd = found(
+        R"({"concatenation": [{"words": ["a"]}, {"star": {"words": ["a a"]}}]})",
+        R"({"by": "lengths", "targets": [{"rest": [1, 2], "frames": [{"modulus": 1, "rest": 0, "case": {"rest": [1, 2]}}]}]})");
+    CHECK(odd.outcome == Outcome::wrong);
+    CHECK(odd.reason == "a table with these lengths may make them of long ones");
+}
+
 TEST_CASE("languages of bound names are the same only where the names are") {
     using namespace algae::verify;
     System doubling;

@@ -5,8 +5,11 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "exact/exact.hpp"
 #include "verify/samples.hpp"
@@ -211,4 +214,168 @@ TEST_CASE("each value knows its line") {
         RC_ASSERT(read.items.size() == lines.size());
         for (std::size_t i = 0; i < lines.size(); ++i) RC_ASSERT(read.items[i].line == lines[i]);
     }));
+}
+
+namespace {
+
+using verify::JsonValue;
+
+/// What a text that is read with so much memory, a quarter of which may be values, is refused for.
+std::string refused(const std::string& text, std::uint64_t memory) {
+    try {
+        verify::parse_json(verify::source_of(text), "x", with_memory(memory));
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "";
+}
+
+constexpr std::uint64_t of_value = sizeof(JsonValue);
+constexpr std::uint64_t of_list = sizeof(JsonValue) + sizeof(std::set<std::string>);
+std::uint64_t of_key(std::size_t size) { return 2 * (sizeof(std::string) + size); }
+
+std::string zeros(std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += i > 0 ? ",0" : "0";
+    return text;
+}
+
+struct Handed {
+    std::vector<JsonValue> elements;
+    std::string error;
+};
+
+/// The elements of "list" that are handed over, as they are counted in so much memory.
+Handed handed(const std::string& text, std::uint64_t memory) {
+    Handed all;
+    try {
+        verify::parse_json(
+            verify::source_of(text), "x", with_memory(memory),
+            {"list", [](JsonValue) {}, [&](const JsonValue& one) { all.elements.push_back(one); }});
+    } catch (const std::exception& error) {
+        all.error = error.what();
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("lists and objects are nested up to a thousand levels") {
+    const auto nested = [](std::size_t levels) {
+        return std::string(levels, '[') + std::string(levels, ']');
+    };
+    CHECK(refused(nested(1000), 1 << 28) == "");
+    CHECK(refused(nested(1001), 1 << 28) == "x:1: nested deeper than 1000 levels");
+}
+
+TEST_CASE("what values take is counted to the byte") {
+    const std::string too_much = "x:1: what is read needs more than the memory allowed";
+    const std::size_t count = 3000;
+    const std::uint64_t list = of_list + count * of_value;
+    CHECK(refused("[" + zeros(count) + "]", 4 * list) == "");
+    CHECK(refused("[" + zeros(count) + "]", 4 * list - 4) == too_much);
+    std::string object = "{";
+    std::uint64_t spent = of_list;
+    for (std::size_t i = 0; i < 1000; ++i) {
+        const std::string key = "key" + std::to_string(i);
+        object += (i > 0 ? ",\"" : "\"") + key + "\":0";
+        spent += of_key(key.size()) + of_value;
+    }
+    CHECK(refused(object + "}", 4 * spent) == "");
+    CHECK(refused(object + "}", 4 * spent - 4) == too_much);
+}
+
+TEST_CASE("a value may take as many pieces of 64 KiB as fit in a quarter of the memory") {
+    const std::uint64_t memory = 4 * 3 * 65'536;
+    const std::string long_text = '"' + std::string(150'000, 'a') + '"';
+    CHECK(refused(long_text, memory) ==
+          "");  // three pieces, the first of them counted with none before
+    CHECK(refused("[0," + std::string(60'000, ' ') + long_text + "]", memory) ==
+          "");  // three behind the first
+    CHECK(refused('"' + std::string(300'000, 'a') + '"', memory) ==
+          "x:1: a single value is longer than can be read within the memory allowed");
+    std::size_t asked = 0;
+    const std::string small = "[1]";
+    verify::parse_json(
+        [&, rest = verify::source_of(small)](char* to, std::size_t most) {
+            asked = most;
+            return rest(to, most);
+        },
+        "x");
+    CHECK(asked == 65'536);
+}
+
+TEST_CASE("of an element that is too large only the end is looked for") {
+    // Up to the elements: as many bytes as are counted, and one value more.
+    const std::size_t count = 1000;
+    const std::string head = R"({"pad":[)" + zeros(count) + "],\n\"list\":[";
+    const std::uint64_t before =
+        of_list + of_key(3) + of_list + count * of_value + of_key(4) + of_list;
+    const auto is_too_large = [](const JsonValue& one) {
+        return one.kind == JsonValue::Kind::too_large;
+    };
+    SUBCASE("that begins too large") {
+        const Handed all =
+            handed(head + "\n{\"k\":1,\"k\":2},7,\n\n[[[]]],8]}", 4 * (before + of_value));
+        CHECK(all.error == "");
+        REQUIRE(all.elements.size() == 4);
+        CHECK(is_too_large(all.elements[0]));
+        CHECK(all.elements[0].line == 3);
+        CHECK(all.elements[1].number == 7);
+        CHECK(is_too_large(all.elements[2]));
+        CHECK(all.elements[2].line == 5);
+        CHECK(all.elements[3].number == 8);
+    }
+    SUBCASE("that becomes too large within") {
+        const Handed all = handed(
+            head + "\n[\n0,0,\n{\"k\":[1,{\"k\":[]}],\"k\":2},\n[0,[true,null,\"a\"]]],\n9]}",
+            4 * (before + of_list + 2 * of_value));
+        CHECK(all.error == "");
+        REQUIRE(all.elements.size() == 2);
+        CHECK(is_too_large(all.elements[0]));
+        CHECK(all.elements[0].line == 3);
+        CHECK(all.elements[1].number == 9);
+        CHECK(all.elements[1].line == 7);
+    }
+    SUBCASE("that becomes too large two levels within") {
+        const Handed all =
+            handed(head + "\n[\n[\n0,0,0,0]],\n9]}", 4 * (before + 2 * of_list + 2 * of_value));
+        CHECK(all.error == "");
+        REQUIRE(all.elements.size() == 2);
+        CHECK(is_too_large(all.elements[0]));
+        CHECK(all.elements[0].line == 3);
+        CHECK(all.elements[1].line == 6);
+    }
+    SUBCASE("that is a text") {
+        const Handed all =
+            handed(head + "\n\"" + std::string(1000, 'a') + "\",\n9]}", 4 * (before + of_value));
+        CHECK(all.error == "");
+        REQUIRE(all.elements.size() == 2);
+        CHECK(is_too_large(all.elements[0]));
+        CHECK(all.elements[0].line == 3);
+        CHECK(all.elements[1].number == 9);
+    }
+    SUBCASE("that is nested too deeply") {
+        const std::string deep = std::string(997, '[') + std::string(997, ']');
+        const std::uint64_t memory = 4 * (before + of_list + of_value);
+        CHECK(handed(head + deep + "]}", memory).error == "");
+        CHECK(handed(head + "[[" + deep + "]]]}", memory).error ==
+              "x:2: nested deeper than 1000 levels");
+    }
+}
+
+TEST_CASE("what is no JSON is said without the place that the parser counts") {
+    CHECK(refused("x", 1 << 20).starts_with("x:1: this is not JSON: syntax error"));
+}
+
+TEST_CASE("lists that differ are different values") {
+    const auto read = [](const char* text) {
+        return verify::parse_json(verify::source_of(text), "x");
+    };
+    CHECK(same_value(read("[1,2]"), read("[1, 2]")));
+    CHECK_FALSE(same_value(read("[1]"), read("[2]")));
+    CHECK_FALSE(same_value(read("[1]"), read("[1,1]")));
+    CHECK_FALSE(same_value(read("{\"a\":1}"), read("{\"b\":1}")));
+    CHECK_FALSE(same_value(read("{\"a\":1}"), read("{\"a\":2}")));
+    CHECK_FALSE(same_value(read("1"), read("2")));
 }

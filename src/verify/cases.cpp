@@ -208,7 +208,7 @@ private:
         Symbol number = letter - first_new_;
         for (Symbol a = 0; a < first_new_; ++a)
             if (named_.count(a) == 0 && number-- == 0) return task_.alphabet().name(a);
-        return "letter " + std::to_string(letter);
+        return "(letter " + std::to_string(letter) + ")";
     }
 
     [[noreturn]] static void refuse(const std::string& why) {

@@ -175,6 +175,10 @@ std::set<Symbol> letters_of(const Language& language) {
             return letters;
         case Kind::difference:
             return letters_of(language->parts[0]);
+        case Kind::powers:
+            for (const Powers::Block& block : language->powers->blocks)
+                letters.insert(block.word.begin(), block.word.end());
+            return letters;
         case Kind::intersection: {
             const std::set<Symbol> right = letters_of(language->parts[1]);
             for (const Symbol a : letters_of(language->parts[0]))

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -265,6 +267,26 @@ Finding check(const Certificate& certificate, const Entry& entry, const Budget& 
     return found;
 }
 
+/// One statement, which may be too much to read.
+Finding read_and_check(const Certificate& certificate, const Field& field, const Budget& budget) {
+    Finding unread;
+    unread.outcome = Finding::Outcome::not_checked;
+    unread.statement = unread.path = field.path();
+    unread.line = field.line();
+    unread.reason = "it takes more memory than is allowed to read it";
+    if (field.kind() == JsonValue::Kind::too_large) return unread;
+    const Reader reader(*certificate.alphabet, certificate.systems, certificate.rewritings);
+    std::optional<Entry> entry;
+    try {
+        entry = read_entry(field, reader);
+    } catch (const BoundReached& bound) {
+        const std::string_view reason = bound.what(), path = unread.path;
+        unread.reason = reason.substr(reason.starts_with(path) ? path.size() + 1 : 0);
+        return unread;
+    }
+    return check(certificate, *entry, budget);
+}
+
 }  // namespace
 
 void check_certificate(const TextSource& text, const std::string& file, const Budget& budget,
@@ -282,18 +304,9 @@ void check_certificate(const TextSource& text, const std::string& file, const Bu
     const auto each = [&](const JsonValue& value) {
         ++statements;
         const Field field(value, "statements[" + std::to_string(index++) + "]", certificate.file);
-        Finding found;
-        if (field.kind() == JsonValue::Kind::too_large) {
-            found.outcome = Finding::Outcome::not_checked;
-            found.statement = field.path();
-            found.path = field.path();
-            found.line = field.line();
-            found.reason = "it takes more memory than is allowed to read it";
-        } else {
-            if (events.on_statement) events.on_statement(field);
-            const Reader reader(*certificate.alphabet, certificate.systems, certificate.rewritings);
-            found = check(certificate, read_entry(field, reader), budget);
-        }
+        if (events.on_statement && field.kind() != JsonValue::Kind::too_large)
+            events.on_statement(field);
+        const Finding found = read_and_check(certificate, field, budget);
         if (events.on_finding) events.on_finding(found);
     };
     Budget reading = budget;

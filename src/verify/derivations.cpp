@@ -163,8 +163,9 @@ private:
                 refuse();
         } else if (body_.kind == Kind::numbers) {
             const bool turned = body_.family == ">=";
-            const auto smaller = word_measured(body_.terms[turned ? 1 : 0], reader()),
-                       larger = word_measured(body_.terms[turned ? 0 : 1], reader());
+            const Reader named = reader().with(open_names(said_));
+            const auto smaller = word_measured(body_.terms[turned ? 1 : 0], named),
+                       larger = word_measured(body_.terms[turned ? 0 : 1], named);
             if (!family_.starts_with('P') || (!turned && body_.family != "<=") || all.size() != 1 ||
                 !smaller || !larger || all[0].from != Word{*smaller} || all[0].to != Word{*larger})
                 refuse();

@@ -91,10 +91,16 @@ public:
                const std::function<bool(const std::vector<std::uint32_t>& letters)>& accepts) {
         Tuples found;
         found.names = std::move(names);
+        check_names(found.names.size());
         Numbering<std::vector<std::uint32_t>> states;
         states.of(std::vector<std::uint32_t>(found.names.size(), 0));
         for (std::size_t s = 0; s < states.size(); ++s) {
             const auto at = states[s];
+            found.accepting.push_back(accepts(at));
+            found.edges.emplace_back();
+            std::uint64_t count = 1;
+            for (const std::uint32_t letter : at) count *= paths_.images[letter].size();
+            make_room(found, 2 * count);
             std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> columns{{0, {}}};
             for (std::size_t i = 0; i < at.size(); ++i) {
                 const auto before = std::move(columns);
@@ -107,8 +113,6 @@ public:
                         columns.emplace_back(column + d * weight(i), std::move(longer));
                     }
             }
-            found.accepting.push_back(accepts(at));
-            found.edges.emplace_back();
             for (const auto& [column, to] : columns)
                 found.edges.back().push_back({column, states.of(to)});
             close(found);
@@ -138,6 +142,7 @@ public:
             const auto [p, q] = states[s];
             found.accepting.push_back(left.accepting[p] && right.accepting[q]);
             found.edges.emplace_back();
+            auto& out = found.edges.back();
             const auto& one = of_left.edges(p);
             const auto& other = of_right.edges(q);
             for (std::size_t i = 0, j = 0; i < one.size() && j < other.size();) {
@@ -150,9 +155,11 @@ public:
                     continue;
                 }
                 std::size_t end = j;
-                for (; end < other.size() && other[end].shared == one[i].shared; ++end)
-                    found.edges.back().push_back(
+                for (; end < other.size() && other[end].shared == one[i].shared; ++end) {
+                    out.push_back(
                         {one[i].whole + other[end].own, states.of({one[i].to, other[end].to})});
+                    if (out.size() % 65'536 == 0) make_room(found, out.size());
+                }
                 ++i;
                 if (i == one.size() || one[i].shared != other[j].shared) j = end;
             }
@@ -398,6 +405,7 @@ private:
                    const std::function<bool(bool apart)>& accepts, bool is_next) {
         Tuples found;
         found.names = {std::min(x, y), std::max(x, y)};
+        check_names(2);
         const std::uint32_t of_x = weight(x < y ? 0 : 1), of_y = weight(x < y ? 1 : 0);
         using State = std::tuple<std::uint32_t, std::uint32_t, bool>;
         Numbering<State> states;
@@ -408,6 +416,7 @@ private:
             found.edges.emplace_back();
             const auto& left = paths_.images[b];
             const auto& right = paths_.images[c];
+            make_room(found, left.size() * right.size());
             for (std::uint32_t d = 0; d < left.size(); ++d)
                 for (std::uint32_t e = 0; e < right.size(); ++e) {
                     const bool fits = !is_next ? apart || d <= e
@@ -425,17 +434,25 @@ private:
     /// Ends the edges of the last state.
     void close(Tuples& one) {
         std::sort(one.edges.back().begin(), one.edges.back().end());
+        if (one.edges.size() == 1) kept_ = seen_ = 0;
         kept_ += one.edges.back().size();
-        if (one.edges.size() % 256 == 0) {
+        if (one.edges.size() % 256 == 0 || kept_ > seen_ + 65'536) {
+            seen_ = kept_;
             budget_.check();
             budget_.check_memory(kept_ * 64, "the automata");
         }
-        if (one.edges.size() == 1) kept_ = 0;
+    }
+    /// Before the last state, which has no edges yet, gets so many.
+    void make_room(const Tuples& one, std::uint64_t edges) const {
+        const std::uint64_t before = one.edges.size() == 1 ? 0 : kept_;
+        budget_.check();
+        budget_.check_memory((before + edges) * 64, "the automata");
     }
 
     const Paths& paths_;
     const Budget& budget_;
     std::uint64_t kept_ = 0;  // edges and members of sets of the automaton on the way
+    std::uint64_t seen_ = 0;  // of these when the bounds were looked at
 };
 
 /// The statement as automata, part by part.
@@ -548,7 +565,8 @@ private:
     struct Block {
         std::set<std::string> bound;
         std::vector<Tuples> relations;
-        std::map<std::string, std::string> helpers;  // names of sums and numbers
+        /// Names of sums, by what is added, and of numbers, by "" and the number.
+        std::map<std::pair<std::string, std::string>, std::string> helpers;
     };
 
     Tuples evaluate(const Formula& formula, bool negated) {
@@ -733,9 +751,9 @@ private:
         const std::string twice = plus(part, part, block);
         return half + half == times ? twice : plus(twice, name, block);
     }
-    /// A name that is bound in the block; `meaning` tells it from others there.
-    std::pair<std::string, bool> helper(const std::string& meaning, Block& block) {
-        const auto [at, is_new] = block.helpers.try_emplace(meaning);
+    /// A name that is bound in the block, for a sum or a number, and whether it is new there.
+    std::pair<std::string, bool> helper(const std::string& x, const std::string& y, Block& block) {
+        const auto [at, is_new] = block.helpers.try_emplace({x, y});
         if (is_new) {
             at->second = "." + std::to_string(++helpers_);
             block.bound.insert(at->second);
@@ -743,14 +761,14 @@ private:
         return {at->second, is_new};
     }
     std::string plus(const std::string& x, const std::string& y, Block& block) {
-        const auto [z, is_new] = helper(std::min(x, y) + " + " + std::max(x, y), block);
+        const auto [z, is_new] = helper(std::min(x, y), std::max(x, y), block);
         if (is_new)
             block.relations.push_back(
                 automata_.renamed(addition(), {{"x", x}, {"y", y}, {"z", z}}));
         return z;
     }
     std::string number(const Integer& value, Block& block) {
-        const auto [x, is_new] = helper(to_string(value), block);
+        const auto [x, is_new] = helper("", to_string(value), block);
         if (is_new) block.relations.push_back(exactly(value, x));
         return x;
     }

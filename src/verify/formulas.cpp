@@ -2,6 +2,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,15 @@
 namespace algae::verify {
 
 using Kind = Formula::Kind;
+
+bool is_name(std::string_view text) {
+    const auto starts = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    return !text.empty() && starts(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) {
+        return starts(c) || (c >= '0' && c <= '9') || c == '\'';
+    });
+}
 
 namespace {
 
@@ -100,7 +110,8 @@ Formula read_formula(const Field& field, std::set<std::string>& bound,
         case Kind::for_all: {
             std::set<std::string> inner = known;
             for (const Field& name : value.list()) {
-                if (name.text().empty() || name.text()[0] == '.') name.fail("expected a name");
+                if (!is_name(name.text()))
+                    name.fail("expected a name: a letter or _, then letters, digits, _ and '");
                 if (!bound.insert(name.text()).second)
                     name.fail("expected another name, as this one is bound already");
                 inner.insert(name.text());

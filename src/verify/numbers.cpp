@@ -163,10 +163,13 @@ private:
         skip();
         return true;
     }
-    static NumberTerm made(Kind kind, std::vector<NumberTerm> parts) {
+    /// The parts move: a copy for each sign would take the square of their number.
+    template <class... Parts>
+    static NumberTerm made(Kind kind, Parts... parts) {
         NumberTerm term;
         term.kind = kind;
-        term.parts = std::move(parts);
+        term.parts.reserve(sizeof...(parts));
+        (term.parts.push_back(std::move(parts)), ...);
         return term;
     }
 
@@ -175,9 +178,9 @@ private:
         NumberTerm read = product();
         for (;;) {
             if (take('+'))
-                read = made(Kind::sum, {std::move(read), product()});
+                read = made(Kind::sum, std::move(read), product());
             else if (take('-'))
-                read = made(Kind::difference, {std::move(read), product()});
+                read = made(Kind::difference, std::move(read), product());
             else
                 break;
             if (++size_ > 10'000) too_hard(field_.path() + ": a term of more than 10000 parts");
@@ -189,9 +192,9 @@ private:
         NumberTerm read = signed_power();
         for (;;) {
             if (take('*'))
-                read = made(Kind::product, {std::move(read), signed_power()});
+                read = made(Kind::product, std::move(read), signed_power());
             else if (take('/'))
-                read = made(Kind::quotient, {std::move(read), signed_power()});
+                read = made(Kind::quotient, std::move(read), signed_power());
             else
                 return read;
             if (++size_ > 10'000) too_hard(field_.path() + ": a term of more than 10000 parts");
@@ -201,7 +204,7 @@ private:
         bool is_negative = false;
         while (take('-')) is_negative = !is_negative;
         NumberTerm read = power();
-        return is_negative ? made(Kind::negative, {std::move(read)}) : read;
+        return is_negative ? made(Kind::negative, std::move(read)) : read;
     }
     NumberTerm power() {
         NumberTerm base = operand();
@@ -209,7 +212,7 @@ private:
         if (++depth_ > 200) too_hard(field_.path() + ": powers nested too deeply");
         NumberTerm exponent = signed_power();
         --depth_;
-        return made(Kind::power, {std::move(base), std::move(exponent)});
+        return made(Kind::power, std::move(base), std::move(exponent));
     }
     NumberTerm operand() {
         if (take('(')) {
@@ -261,7 +264,7 @@ private:
     NumberTerm call(const std::string& name) {
         NumberTerm read;
         if (name == "sqrt") {
-            read = made(Kind::root, {sum()});
+            read = made(Kind::root, sum());
         } else if (name == "length" && rest_.find(')') < rest_.find(',')) {
             const std::string word(rest_.substr(0, rest_.find(')')));
             rest_.remove_prefix(word.size());
@@ -717,12 +720,9 @@ std::map<std::string, Affine> free_numbers(const Obligation& task, const Quantif
 }
 
 BoundNames open_numbers(const Obligation& task, const Quantified& said) {
-    BoundNames open;
-    for (const Quantified::Name& name : said.names) {
+    for (const Quantified::Name& name : said.names)
         if (name.of != "numbers" || name.most || name.size) task.wrong_kind();
-        open.numbers[name.name] = std::nullopt;
-    }
-    return open;
+    return open_names(said);
 }
 
 ForAll for_all(const Obligation& task) {

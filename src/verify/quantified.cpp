@@ -192,12 +192,30 @@ bool is_morphism_domain(const std::string& of) {
     return of.ends_with("morphisms") || of == "codings" || of.ends_with("substitutions");
 }
 
+BoundNames open_names(const Quantified& said) {
+    BoundNames open;
+    for (const auto& [name, of, size, length, most] : said.names) {
+        if (of.ends_with("languages")) {
+            Tree tree;
+            tree.kind = Tree::Kind::variable;
+            tree.name = name;
+            open.languages[name] = std::make_shared<const Tree>(std::move(tree));
+        } else if (of.ends_with(" systems")) {
+            open.systems[name] = nullptr;
+        } else if (is_morphism_domain(of)) {
+            open.morphisms[name] = std::nullopt;
+        } else if (of == "numbers") {
+            open.numbers[name] = std::nullopt;
+        }
+    }
+    return open;
+}
+
 Statement Reader::quantified(const Field& field) const {
     auto said = std::make_shared<Quantified>();
     said->universal = field.has("for all");
     const std::string_view quantifier = said->universal ? "for all" : "for some";
     field.only({quantifier, "different letters", "over", "with", "holds"});
-    BoundNames open;
     for (const Field& each : field.at(quantifier).list()) {
         each.only({"name", "of", "size", "length", "up to"});
         Quantified::Name name{each.at("name").text(), each.at("of").text(), {}, {}};
@@ -206,27 +224,16 @@ Statement Reader::quantified(const Field& field) const {
         if (each.has("up to")) name.most = each.at("up to").number();
         if (!is_domain(name.of))
             each.at("of").fail("expected what a name ranges over, found '" + name.of + "'");
-        if (name.of.ends_with("languages")) {
-            Tree tree;
-            tree.kind = Tree::Kind::variable;
-            tree.name = name.name;
-            open.languages[name.name] = std::make_shared<const Tree>(std::move(tree));
-        } else if (name.of.ends_with(" systems")) {
-            open.systems[name.name] = nullptr;
-        } else if (is_morphism_domain(name.of)) {
-            open.morphisms[name.name] = std::nullopt;
-        } else if (name.of == "numbers") {
-            open.numbers[name.name] = std::nullopt;
-        } else {
-            letter(each.at("name"));
-        }
+        if (name.of != "words" && name.of != "letters" && !is_name(name.name))
+            each.at("name").fail("expected a name: a letter or _, then letters, digits, _ and '");
+        if (name.of == "words" || name.of == "letters") letter(each.at("name"));
         said->names.push_back(std::move(name));
     }
     if (said->names.empty()) field.at(quantifier).fail("expected a name");
     if (field.has("different letters"))
         said->different_letters = field.at("different letters").truth();
     if (field.has("over")) said->over = letters(field.at("over"));
-    const Reader inner = with(open);
+    const Reader inner = with(open_names(*said));
     Statement read;
     read.kind = Statement::Kind::quantified;
     if (field.has("with")) said->conditions = field.at("with").list();
@@ -423,32 +430,56 @@ private:
     std::map<std::string, std::string> of_;
 };
 
-/// A language with letters in the place of names; reversals are moved inwards, where they make names of their own.
-Language with_letters(const Language& language, bool reversed, const Reader& reader,
-                      const Field& letters, const std::set<std::string>& names) {
-    using Kind = Tree::Kind;
-    if (language->kind == Kind::reversal)
-        return with_letters(language->parts[0], !reversed, reader, letters, names);
-    if (language->kind == Kind::variable) {
-        if (!names.contains(language->name))
-            letters.refuse("a name is bound outside the statement");
-        return words_of({{reader.letter(letters.at(language->name + (reversed ? "^R" : "")))}});
+/// Languages with letters in the place of names; reversals are moved inwards, where they make names of their own.
+class WithLetters {
+public:
+    WithLetters(const Obligation& task, const Quantified& said, Field letters)
+        : reader_(task.reader), letters_(std::move(letters)) {
+        for (const Quantified::Name& name : said.names) {
+            if (name.of.ends_with("languages")) languages_.insert(name.name);
+            if (name.of == "words") words_.insert(task.alphabet().find(name.name).value());
+        }
     }
-    if (language->kind == Kind::words) {
-        std::vector<Word> words = language->words;
-        if (reversed)
-            for (Word& word : words) std::reverse(word.begin(), word.end());
-        return words_of(std::move(words));
+
+    Language of(const Language& language, bool reversed = false) const {
+        using Kind = Tree::Kind;
+        if (language->kind == Kind::reversal) return of(language->parts[0], !reversed);
+        if (language->kind == Kind::variable) {
+            if (!languages_.contains(language->name))
+                letters_.refuse("a name is bound outside the statement");
+            const std::string name = language->name + (reversed ? "^R" : "");
+            return words_of({{reader_.letter(letters_.at(name))}});
+        }
+        if (language->kind == Kind::words) {
+            std::vector<Word> words = language->words;
+            if (reversed)
+                for (Word& word : words) reverse(word);
+            return words_of(std::move(words));
+        }
+        static constexpr std::array kept = {Kind::united, Kind::concatenation, Kind::star,
+                                            Kind::plus};
+        if (std::find(kept.begin(), kept.end(), language->kind) == kept.end())
+            letters_.refuse("a letter cannot stand for a language within this operation");
+        std::vector<Language> parts;
+        for (const Language& part : language->parts) parts.push_back(of(part, reversed));
+        if (reversed && language->kind == Kind::concatenation)
+            std::reverse(parts.begin(), parts.end());
+        return combination(language->kind, std::move(parts));
     }
-    static constexpr std::array kept = {Kind::united, Kind::concatenation, Kind::star, Kind::plus};
-    if (std::find(kept.begin(), kept.end(), language->kind) == kept.end())
-        letters.refuse("a letter cannot stand for a language within this operation");
-    std::vector<Language> parts;
-    for (const Language& part : language->parts)
-        parts.push_back(with_letters(part, reversed, reader, letters, names));
-    if (reversed && language->kind == Kind::concatenation) std::reverse(parts.begin(), parts.end());
-    return combination(language->kind, std::move(parts));
-}
+
+private:
+    void reverse(Word& word) const {
+        for (const Symbol letter : word)
+            if (words_.contains(letter))
+                letters_.refuse("a letter that stands for any word cannot be reversed");
+        std::reverse(word.begin(), word.end());
+    }
+
+    const Reader& reader_;
+    Field letters_;
+    std::set<std::string> languages_;
+    std::set<Symbol> words_;  // bound words are letters in a word
+};
 
 void collect_letters(const Language& language, std::set<Symbol>& letters) {
     for (const Word& word : language->words) letters.insert(word.begin(), word.end());
@@ -535,17 +566,14 @@ void check_by_letters(const Obligation& task) {
     if ((body.kind != Statement::Kind::equal && body.kind != Statement::Kind::included) ||
         body.negated)
         task.wrong_kind();
-    std::set<std::string> names;
-    for (const Quantified::Name& name : said.names)
-        if (name.of.ends_with("languages")) names.insert(name.name);
     const Field letters = task.proof.at("letters");
     std::set<Symbol> used;
     for (const Language& language : body.languages) collect_letters(language, used);
     for (const auto& [name, letter] : letters.object())
         if (!used.insert(task.reader.letter(letter)).second)
             letter.refuse("the letter stands for something else already");
-    for (Language& language : body.languages)
-        language = with_letters(language, false, task.reader, letters, names);
+    const WithLetters with_letters(task, said, letters);
+    for (Language& language : body.languages) language = with_letters.of(language);
     check_proof(task.part(body, true, task.proof.at("proof")));
 }
 

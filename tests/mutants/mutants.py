@@ -1,6 +1,7 @@
 """Mutants of a room, and which of them its tests notice: see tools/mutants."""
 
 import argparse
+import collections
 import concurrent.futures
 import json
 import os
@@ -41,6 +42,12 @@ class Room:
         for number, mutant in enumerate(self.mutants):
             mutant.number = number
         self.wanted = {mutant.number for mutant in self.mutants}
+        self.lines = {source.file: source.text.splitlines() for source in self.sources}
+        kinds = collections.Counter()
+        for mutant in self.mutants:
+            kind = key_of(mutant, self.lines[mutant.file])
+            kinds[kind] += 1
+            mutant.nth = kinds[kind]
         (self.folder / 'mutants.hpp').parent.mkdir(parents=True, exist_ok=True)
         put(self.folder / 'mutants.hpp', '#pragma once\nnamespace mutants { bool is_on(unsigned number); }\n')
 
@@ -247,8 +254,10 @@ class Tests:
 
 
 def key_of(mutant, lines):
-    """What equivalent.txt knows a mutant by: its file, line, column in the line, and what is changed into what."""
-    return mutant.file, lines[mutant.line - 1].strip(), str(mutant.column), mutant.original, mutant.changed
+    """What equivalent.txt knows a mutant by: its file, line, column in the line, and what is changed into what. Where the same line
+    stands in the file again the column is 5#2, 5#3, ..."""
+    column = str(mutant.column) + (f'#{mutant.nth}' if mutant.nth > 1 else '')
+    return mutant.file, lines[mutant.line - 1].strip(), column, mutant.original, mutant.changed
 
 
 def known_equivalents(room):
@@ -258,7 +267,7 @@ def known_equivalents(room):
         if line.startswith('#') or not line.strip():
             continue
         parts = [part.strip() for part in line.split(' ## ')]
-        if len(parts) != 6 or not parts[2].isdigit() and parts[2:5] != ['*'] * 3:
+        if len(parts) != 6 or not re.fullmatch(r'\d+(#\d+)?', parts[2]) and parts[2:5] != ['*'] * 3:
             sys.exit('equivalent.txt: expected FILE ## LINE ## COLUMN ## ORIGINAL ## CHANGED ## REASON, found ' + line)
         if tuple(parts[:5]) in known:
             sys.exit('equivalent.txt: two lines for one mutant: ' + line)
@@ -294,7 +303,7 @@ def main():
 
     room = Room(asked.room, asked.build, asked.jobs)
     room.choose(asked.only, asked.sample, asked.seed)
-    text = {source.file: source.text.splitlines() for source in room.sources}
+    text = room.lines
     found = {key_of(mutant, text[mutant.file]) for mutant in room.mutants}
     found |= {(*key[:2], '*', '*', '*') for key in found}
     for key in known_equivalents(asked.room):
@@ -320,18 +329,18 @@ def main():
     if found:
         say(f'  {len(found)} are known from the run before, which ended early')
     left, begin = [mutant for mutant in wanted if mutant.number not in found], time.monotonic()
-    noticed = noticed_by_cases(room, left, asked.jobs) if room.name == 'verify' and not asked.again else set()
-    for mutant in left:
-        if mutant.number in noticed:
-            found[mutant.number] = 'killed'
-            kept.add(mutant, 'killed')
-    if noticed:
-        say(f'  {len(noticed)} are noticed by the changed certificates of the tests, in one process')
-    left = [mutant for mutant in left if mutant.number not in found]
     if asked.again:  # those that are explained are believed: a whole run tries them, too
         known = known_equivalents(asked.room)
-        explained = [mutant for mutant in left if reason_for(key_of(mutant, text[mutant.file]), known) is not None]
-        found.update({mutant.number: 'survived' for mutant in explained})
+        found.update({mutant.number: 'survived' for mutant in left
+                      if reason_for(key_of(mutant, text[mutant.file]), known) is not None})
+        left = [mutant for mutant in left if mutant.number not in found]
+    if room.name == 'verify':
+        noticed = noticed_by_cases(room, left, asked.jobs)
+        for mutant in left:
+            if mutant.number in noticed:
+                found[mutant.number] = 'killed'
+                kept.add(mutant, 'killed')
+        say(f'  {len(noticed)} are noticed by the changed certificates of the tests, in one process')
         left = [mutant for mutant in left if mutant.number not in found]
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         for mutant, outcome in zip(left, pool.map(lambda each: tests.judge(each, asked.longest), left)):
@@ -436,8 +445,7 @@ def note_noticed(room, by_number, noticed):
         file = room.folder / 'found'
     with file.open('a') as out:
         for number in noticed:
-            mutant = by_number[number]
-            out.write(f'killed\t{number}\t{mutant.file}:{mutant.line}\t{mutant.original}\t{mutant.changed}\n')
+            out.write(line_of_found(room, by_number[number], 'killed'))
 
 
 def try_changes(room, program, file, alive):
@@ -501,12 +509,27 @@ def write_cases(path, cases):
     put(path, '[\n' + ',\n'.join(text) + '\n]\n')
 
 
+def line_of_found(room, mutant, outcome):
+    """A line of the files that have what was found: the outcome, the number in this program, the line, and the key, which knows the
+    mutant when the sources have changed."""
+    return '\t'.join([outcome, str(mutant.number), str(mutant.line), *key_of(mutant, room.lines[mutant.file])]) + '\n'
+
+
+def read_found(text):
+    """The outcome, the number and the key of each whole line of such a file."""
+    for line in text.splitlines(True)[1:]:
+        parts = line.rstrip('\n').split('\t')
+        if line.endswith('\n') and len(parts) == 8:
+            yield parts[0], int(parts[1]), tuple(parts[3:])
+
+
 def noticed_before(room):
-    """The mutants that the last run, or the one before that ended early, found to be noticed, and how."""
+    """The mutants that the last run, or the one before that ended early, found to be noticed, and how. The sources may have changed."""
     last = max(filter(Path.exists, (room.folder / 'found', room.folder / 'found-so-far')), key=lambda file: file.stat().st_mtime,
                default=None)
-    lines = [line.split('\t') for line in last.read_text().splitlines()[1:]] if last else []
-    return {int(line[1]): line[0] for line in lines if len(line) == 5 and line[0] in ('killed', 'timed out')}
+    found = {key: outcome for outcome, _, key in read_found(last.read_text() if last else '')}
+    outcomes = {mutant.number: found.get(key_of(mutant, room.lines[mutant.file])) for mutant in room.mutants}
+    return {number: outcome for number, outcome in outcomes.items() if outcome in ('killed', 'timed out')}
 
 
 class Kept:
@@ -515,13 +538,10 @@ class Kept:
     def __init__(self, room, tests, longest, before):
         program = zlib.crc32(Path(tests.program).read_bytes())
         self.file, head = room.folder / 'found-so-far', f'{program} {longest}\n'
-        lines = self.file.read_text().splitlines(True) if self.file.exists() else []
-        self.outcomes = {}
-        if lines[:1] == [head]:
-            for line in lines[1:]:
-                parts = line.split('\t')
-                if line.endswith('\n') and len(parts) == 5:  # whole
-                    self.outcomes[int(parts[1])] = parts[0]
+        text = self.file.read_text() if self.file.exists() else ''
+        self.room, self.outcomes = room, {}
+        if text.startswith(head):
+            self.outcomes = {number: outcome for outcome, number, _ in read_found(text)}
         else:
             self.file.write_text(head)
         self.out = self.file.open('a', buffering=1)
@@ -532,13 +552,12 @@ class Kept:
                 self.add(mutant, before[mutant.number])
 
     def add(self, mutant, outcome):
-        self.out.write(f'{outcome}\t{mutant.number}\t{mutant.file}:{mutant.line}\t{mutant.original}\t{mutant.changed}\n')
+        self.out.write(line_of_found(self.room, mutant, outcome))
 
 
 def report(room, wanted, found, dropped):
     """Prints the survivors and the figures. Returns 1 if a survivor is not known to be equivalent."""
-    known = known_equivalents(room.name)
-    text = {source.file: source.text.splitlines() for source in room.sources}
+    known, text = known_equivalents(room.name), room.lines
     explained, open_ones, by_file = 0, 0, {}
     for mutant in wanted:
         outcome = found[mutant.number]

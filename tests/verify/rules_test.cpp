@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "exact/exact.hpp"
+#include "verify/changed.hpp"
 #include "verify/samples.hpp"
 
 using namespace samples;
@@ -204,6 +205,90 @@ TEST_CASE("the length 1 stands for longer ones, too, where all lengths from 1 on
         R"({"by": "lengths", "targets": [{"rest": [1, 2], "frames": [{"modulus": 1, "rest": 0, "case": {"rest": [1, 2]}}]}]})");
     CHECK(odd.outcome == Outcome::wrong);
     CHECK(odd.reason == "a table with these lengths may make them of long ones");
+}
+
+namespace {
+
+/// What is found of a statement over an alphabet with its proof; T is the system of Thue and Morse.
+std::string outcome_over(const char* alphabet, const char* statement, const char* verdict,
+                         const char* proof) {
+    return changed::found(
+               changed::certificate_of(
+                   {{"alphabet", Json::parse(alphabet)},
+                    {"systems",
+                     {{"T", Json::parse(
+                                R"({"axiom": "a", "tables": [{"a": ["a b"], "b": ["b a"]}]})")}}},
+                    {"statement", Json::parse(statement)},
+                    {"verdict", verdict},
+                    {"proof", Json::parse(proof)}}))
+        .outcome;
+}
+
+}  // namespace
+
+TEST_CASE("a name is no sum and no number") {
+    // "for all i, j + k, i + j, k: i + (j + k) = (i + j) + k" is false where all four are names.
+    const char* addition =
+        R"({"by": "automata", "addition": {"edges": [[0,0,0,0,0],[0,0,0,1,1],[0,0,1,1,0],[0,1,0,1,0],[1,0,1,0,1],[1,1,0,0,1],[1,1,1,0,0],[1,1,1,1,1]], "accepting": [true, false]}})";
+    CHECK(
+        outcome_over(
+            R"(["a", "b"])",
+            R"({"first order": {"for all": ["i", "j + k", "i + j", "k"], "holds": {"equation": {"of": {"i": "1", "j + k": "1", "i + j": "-1", "k": "-1"}, "plus": "0"}}}, "system": "T"})",
+            "proved", addition) ==
+        "error: statements[0].statement.first order.for all[1]: expected a name: a letter or _, "
+        "then letters, digits, _ and '");
+    for (const std::string name : {"2", "", ".1", "2i", "i i", "\u00e4"})
+        CHECK(
+            outcome_over(R"(["a", "b"])",
+                         (R"({"first order": {"exists": [")" + name +
+                          R"("], "holds": {"equation": {"of": {}, "plus": "0"}}}, "system": "T"})")
+                             .c_str(),
+                         "proved", addition) ==
+            "error: statements[0].statement.first order.exists[0]: expected a name: a letter or _, "
+            "then letters, digits, _ and '");
+    for (const std::string of : {"numbers", "languages", "0L systems", "codings"})
+        CHECK(outcome_over(R"(["a", "b"])",
+                           (R"({"for all": [{"name": "1 + 1", "of": ")" + of +
+                            R"("}], "holds": {"numbers": ["1", "=", "1"]}})")
+                               .c_str(),
+                           "proved", R"({"by": "values"})") ==
+              "error: statements[0].statement.for all[0].name: expected a name: a letter or _, "
+              "then letters, digits, _ and '");
+}
+
+TEST_CASE("a bound word is no letter where it is reversed") {
+    const auto found = [](const char* of, const char* word) {
+        const std::string said = std::string(R"({"for all": [{"name": "x", "of": ")") + of +
+                                 R"("}], "holds": {"equal": [{"reversal": {"words": [")" + word +
+                                 R"("]}}, {"words": [")" + word + R"("]}]}})";
+        return outcome_over(R"(["a", "b", "x"])", said.c_str(), "proved",
+                            R"({"by": "letters", "letters": {}, "proof": {"by": "values"}})");
+    };
+    CHECK(found("letters", "x") == "checked");
+    CHECK(found("words", "a") == "checked");
+    CHECK(found("words", "a a") == "checked");
+    for (const char* word : {"x", "x x", "a x a"})
+        CHECK(found("words", word) ==
+              "wrong: proof.letters: a letter that stands for any word cannot be reversed");
+}
+
+TEST_CASE("a complement of powers is over the letters of the powers") {
+    const auto found = [](const char* word, const char* verdict) {
+        return outcome_over(
+            R"(["a", "b", "c"])",
+            (std::string(R"({"member": ")") + word +
+             R"(", "language": {"complement": {"powers": [{"word": "a b", "exponent": [{"coefficient": 1, "number": "n", "power": 1}]}], "numbers": [{"name": "n", "least": 0}]}}})")
+                .c_str(),
+            verdict, R"({"by": "membership"})");
+    };
+    for (const char* word : {"a", "b", "b a", "a a"}) {
+        CHECK(found(word, "proved") == "checked");
+        CHECK(found(word, "refuted").starts_with("wrong: "));
+    }
+    for (const char* word : {"", "a b", "c"}) {
+        CHECK(found(word, "refuted") == "checked");
+        CHECK(found(word, "proved").starts_with("wrong: "));
+    }
 }
 
 TEST_CASE("languages of bound names are the same only where the names are") {

@@ -158,6 +158,13 @@ Entry read_entry(const Field& field, const Reader& reader);
 /// Checks a proof of any kind.
 void check_proof(const Obligation& task);
 
+/// Whether a name may be bound: a letter or _, then letters, digits, _ and '. Terms and sums are written with names, so
+/// none may look like one.
+bool is_name(std::string_view text);
+
+/// The names of a quantifier without values, as its statement is read with them; words are letters there.
+BoundNames open_names(const Quantified& said);
+
 /// Whether this is a family that proofs can be about.
 bool is_checked_family(std::string_view name);
 /// Whether claims may speak of this family, of systems with such a form: 1L, PDIL, (1,2)L, EP0L, ...

@@ -424,8 +424,8 @@ ClosedForm closed_form(const D0L& system, const Budget& budget = {});
 /// A form as text; what `ClosedForm::text` calls.
 std::string closed_form_text(const std::vector<ClosedFormTerm>& terms);
 
-/// The roots of the polynomials of degree 3 and more that a form needs, each to 15 digits, one a
-/// line: "r^3 = r + 1: r = 1.32471795724475, ...". Only polynomials of at most this degree.
+/// The roots of the polynomials of degree 3 and more that a form needs, to 12 digits, one polynomial a line:
+/// "the roots of x^3 - x - 1 are 1.324717957245, ...". Only polynomials of at most this degree.
 std::vector<std::string> root_lines(const ClosedForm& form, long largest_degree = 12);
 
 /// The limit of the share of a letter, a number in the field of a rate of growth r.
@@ -840,7 +840,7 @@ struct Realisation {
 /// Newton's formula for polynomials.) A stage takes a divisor of the characteristic polynomial, times
 /// a small polynomial, that has the form (x-c)^k - c1 (x-c)^(k-1) - ... - ck, and g has what is left. That
 /// does it for every polynomial f with natural values above 0, after so many first words that the differences
-/// are positive, unless a rule gets too long (20000 letters); for other sequences it is tried.
+/// are positive, unless these are more than 64 or a rule gets too long (20000 letters); for other sequences it is tried.
 ///
 /// Whatever is found is compared with f on as many terms as the order of its recurrence and the number
 /// of letters together: both sequences obey recurrences of these orders, so their difference obeys

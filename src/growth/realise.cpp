@@ -647,7 +647,8 @@ std::optional<D0L> built(const SequenceSpecification& sequence, const Budget& bu
     if (order == 0) {  // 0 from some n on: words that become each other, then nothing
         StageDraft draft{{{0}, f[0] - 1}, {}};
         for (std::size_t i = 0; i < early; ++i) {
-            if (f[i] > Integer(longest_stage_rule)) return std::nullopt;
+            too_long = f[i] > Integer(longest_stage_rule);
+            if (too_long) return std::nullopt;
             draft.rules.push_back(i + 1 < early ? StageRule{{i + 1}, f[i + 1] - 1}
                                                 : StageRule{{}, 0});
         }
@@ -656,11 +657,14 @@ std::optional<D0L> built(const SequenceSpecification& sequence, const Budget& bu
     StageSearch search(Polynomial(characteristic), budget);
     if (!search.is_small()) return std::nullopt;
     std::optional<D0L> erasing;
+    bool has_long_word = false;
     std::size_t last = early + most_first_words;
     for (std::size_t first = early; first <= last; ++first) {
         const std::vector<Integer> later(f.begin() + static_cast<std::ptrdiff_t>(first), f.end());
-        if (first > 0 && f[first - 1] > Integer(longest_stage_rule))
-            break;  // so are all systems from here on
+        if (first > 0 && f[first - 1] > Integer(longest_stage_rule)) {  // so are all from here on
+            has_long_word = true;
+            break;
+        }
         for (const bool stays : {true, false}) {
             if (!stays && erasing) continue;
             auto draft = search.draft(later, stays);
@@ -671,7 +675,7 @@ std::optional<D0L> built(const SequenceSpecification& sequence, const Budget& bu
             last = std::min(last, first + 3);
         }
     }
-    too_long = search.was_too_long();
+    too_long = has_long_word || search.was_too_long();
     return erasing;
 }
 

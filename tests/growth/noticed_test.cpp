@@ -269,6 +269,12 @@ TEST_CASE("at most nine first words are left out of a sequence that is none of l
 TEST_CASE("where no stages are found the answer is that it is not known") {
     CHECK(realised("a(n) = 30000a(n-1); 1")
               .because.ends_with("; some would have had rules of more than 20000 letters"));
+    // A first word that is too long is a reason, too.
+    for (const char* lengths : {"a(n) = 0; 30000", "a(n) = 0; 1, 30000", "a(n) = a(n-1); 30000"}) {
+        INFO(lengths);
+        CHECK(realised(lengths).because.ends_with(
+            "; some would have had rules of more than 20000 letters"));
+    }
     // Period 12, with the primitive roots of that order.
     CHECK(realised("a(n) = a(n-2) - a(n-4) + 5; 4, 5, 6, 7").kind == Kind::not_known);
     // Two roots above 12: letters that repeat 13 times would do.

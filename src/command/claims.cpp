@@ -390,7 +390,7 @@ public:
     /// Throws Error where the fields before the statements are of another claim.
     void check_header(const verify::JsonValue& given) const {
         const verify::Field claimed(said_, "", file_), here(given, "", name_);
-        for (const char* part : {"claim", "alphabet", "systems", "empty axiom"})
+        for (const char* part : {"claim", "alphabet", "systems", "turtles", "empty axiom"})
             if (claimed.has(part) != here.has(part) ||
                 (here.has(part) && !same_value(claimed.at(part).value(), here.at(part).value())))
                 refuse(std::string("its ") + (std::string(part) == "claim" ? "title" : part) +

@@ -65,9 +65,6 @@ void add_letters(const Language& language, std::set<Symbol>& letters) {
     if (language->powers)
         for (const Powers::Block& block : language->powers->blocks)
             letters.insert(block.word.begin(), block.word.end());
-    if (language->system)
-        for (const Symbol letter : accessible_letters(*language->system, language->system->axiom))
-            if (language->system->terminal[letter]) letters.insert(letter);
     for (const Language& part : language->parts) add_letters(part, letters);
 }
 
@@ -87,6 +84,24 @@ void add_letters(const System& system, std::set<Symbol>& letters) {
     }
 }
 
+void add_letters_of_systems(const Language& language, std::set<Symbol>& letters) {
+    if (language->system)
+        for (const Symbol letter : accessible_letters(*language->system, language->system->axiom))
+            if (language->system->terminal[letter]) letters.insert(letter);
+    for (const Language& part : language->parts) add_letters_of_systems(part, letters);
+}
+
+/// The letters of its systems, which no name stands for.
+void add_letters_of_systems(const Statement& statement, std::set<Symbol>& letters) {
+    using Kind = Statement::Kind;
+    static constexpr std::array of_words = {Kind::derives, Kind::equal_sequences};
+    if (std::find(of_words.begin(), of_words.end(), statement.kind) != of_words.end())
+        for (const NamedSystem& named : statement.systems)
+            if (named.system) add_letters(*named.system, letters);
+    for (const Language& language : statement.languages) add_letters_of_systems(language, letters);
+    for (const Statement& part : statement.parts) add_letters_of_systems(part, letters);
+}
+
 /// The letters on which the truth of a statement may depend, but for those in the place of bound names. Lengths and growth do
 /// not depend on letters.
 void add_letters(const Statement& statement, const Alphabet& alphabet, std::set<Symbol>& letters) {
@@ -94,25 +109,41 @@ void add_letters(const Statement& statement, const Alphabet& alphabet, std::set<
     for (const Language& language : statement.languages) add_letters(language, letters);
     letters.insert(statement.word.begin(), statement.word.end());
     if (statement.from) letters.insert(statement.from->begin(), statement.from->end());
-    static constexpr std::array of_words = {Kind::derives, Kind::equal_sequences};
-    if (std::find(of_words.begin(), of_words.end(), statement.kind) != of_words.end())
-        for (const NamedSystem& named : statement.systems)
-            if (named.system) add_letters(*named.system, letters);
-    if (statement.kind == Statement::Kind::numbers || statement.kind == Statement::Kind::words)
-        for (Symbol a = 0; a < alphabet.size(); ++a) letters.insert(a);  // terms may count any
-    for (const Statement& part : statement.parts) add_letters(part, alphabet, letters);
-    if (!statement.quantified) return;
-    if (statement.quantified->over)
-        letters.insert(statement.quantified->over->begin(), statement.quantified->over->end());
-    for (const Quantified::Name& name : statement.quantified->names)
-        if (name.of == "words" || name.of == "letters")
-            letters.erase(alphabet.find(name.name).value());
+    // Terms may count any letter; formulas, codings and turtles may name any.
+    static constexpr std::array of_any = {
+        Kind::numbers,           Kind::words,    Kind::first_order, Kind::counts,
+        Kind::critical_exponent, Kind::circular, Kind::dimension,   Kind::boundary};
+    if (std::find(of_any.begin(), of_any.end(), statement.kind) != of_any.end())
+        for (Symbol a = 0; a < alphabet.size(); ++a) letters.insert(a);
+    std::set<Symbol> inner;
+    for (const Statement& part : statement.parts) add_letters(part, alphabet, inner);
+    if (statement.quantified) {
+        for (const Quantified::Name& name : statement.quantified->names)
+            if (name.of == "words" || name.of == "letters")
+                inner.erase(alphabet.find(name.name).value());
+        if (statement.quantified->over)
+            inner.insert(statement.quantified->over->begin(), statement.quantified->over->end());
+    }
+    letters.merge(inner);
+    add_letters_of_systems(statement, letters);
 }
 
 /// Whether the inverse of a bound morphism is asked for.
 bool has_inverse(const Language& language) {
     return (language->kind == Tree::Kind::inverse_image && !language->name.empty()) ||
            std::any_of(language->parts.begin(), language->parts.end(), has_inverse);
+}
+
+bool has_complement(const Language& language) {
+    return language->kind == Tree::Kind::complement ||
+           std::any_of(language->parts.begin(), language->parts.end(), has_complement);
+}
+
+bool has_complement(const Statement& statement) {
+    return std::any_of(statement.languages.begin(), statement.languages.end(),
+                       [](const Language& each) { return has_complement(each); }) ||
+           std::any_of(statement.parts.begin(), statement.parts.end(),
+                       [](const Statement& each) { return has_complement(each); });
 }
 
 bool has_inverse(const Statement& statement) {
@@ -217,6 +248,12 @@ private:
 
     void must_be_finite() const {
         if (has_inverse(task_.statement)) refuse("a morphism is applied inversely");
+        if (said_.names.size() > 100) refuse("there are more than 100 names");
+        const bool has_morphism =
+            std::any_of(said_.names.begin(), said_.names.end(),
+                        [](const Quantified::Name& name) { return is_morphism_domain(name.of); });
+        if (has_morphism && has_complement(task_.statement))
+            refuse("a complement may be over the letters of a morphism");
         for (const Quantified::Name& name : said_.names) {
             const bool is_system = name.of.ends_with(" systems");
             const bool is_language = name.of.ends_with("languages");

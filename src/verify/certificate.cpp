@@ -23,7 +23,20 @@ Symbol Reader::symbol(const Field& field, std::string_view name) const {
     return *found;
 }
 
-Symbol Reader::letter(const Field& field) const { return symbol(field, field.text()); }
+Symbol Reader::free_symbol(const Field& field, std::string_view name) const {
+    const Symbol found = symbol(field, name);
+    if (bound_.words.contains(found) || bound_.open_words.contains(found))
+        field.fail("'" + std::string(name) + "' is bound, and stands for a letter in words only");
+    return found;
+}
+
+Symbol Reader::letter(const Field& field) const { return free_symbol(field, field.text()); }
+
+void Reader::must_have_no_words(const char* what) const {
+    if (!bound_.words.empty() || !bound_.open_words.empty())
+        throw BoundReached(Bound::method,
+                           std::string(what) + " for all or some words are not checked");
+}
 
 Word Reader::word(const Field& field) const {
     Word word;
@@ -57,14 +70,14 @@ std::vector<Symbol> Reader::letters(const Field& field) const {
 
 std::map<Symbol, Word> Reader::morphism(const Field& field) const {
     std::map<Symbol, Word> images;
-    for (const auto& [name, image] : field.object()) images[symbol(image, name)] = word(image);
+    for (const auto& [name, image] : field.object()) images[free_symbol(image, name)] = word(image);
     return images;
 }
 
 System::Successors Reader::table(const Field& field) const {
     System::Successors table(alphabet_.size());
     for (const auto& [name, successors] : field.object()) {
-        auto& all = table[symbol(successors, name)];
+        auto& all = table[free_symbol(successors, name)];
         all = words(successors);
         if (all.empty()) successors.fail("a letter needs a successor");
         std::sort(all.begin(), all.end());
@@ -242,8 +255,9 @@ Language Reader::language(const Field& field) const {
             tree.parts = {language(field.at(each.name))};
         }
         if (each.with == "letters") {
-            const bool has_names =
-                !bound_.languages.empty() || !bound_.systems.empty() || !bound_.morphisms.empty();
+            const bool has_names = !bound_.languages.empty() || !bound_.systems.empty() ||
+                                   !bound_.morphisms.empty() || !bound_.words.empty() ||
+                                   !bound_.open_words.empty();
             std::set<Symbol> all = letters_of_values();
             if (field.has(each.with)) {
                 const std::vector<Symbol> given = letters(field.at(each.with));
@@ -252,7 +266,7 @@ Language Reader::language(const Field& field) const {
                     tree.name = spell(alphabet_, given) + " and the letters of the values";
             } else {
                 all.merge(letters_of(tree.parts[0]));
-                tree.name = has_names ? "the letters of the values" : "its letters";
+                if (has_names) tree.name = "the letters of the values";
             }
             tree.letters = {all.begin(), all.end()};
         }
@@ -316,6 +330,7 @@ bool Reader::of_pairs(const Field& field, Statement& read) const {
 
 Statement Reader::of_modules(const Field& field, Statement read) const {
     field.only({"derives", "system", "from", "steps", "probability"});
+    must_have_no_words("derivations of modules");
     read.family = field.at("system").text();
     read.rewriting = rewritings_.at(read.family);
     read.modules = modules(field.at("derives"));
@@ -332,7 +347,8 @@ Statement Reader::of_dimension(const Field& field, Statement read) const {
     field.only({of, "equals", "at most", "at least"});
     read.kind = of == "dimension" ? Statement::Kind::dimension : Statement::Kind::boundary;
     read.family = field.at(of).text();
-    if (!rewritings_.contains(read.family)) read.systems = {named_system(field.at(of))};
+    if (bound_.systems.contains(read.family) || !rewritings_.contains(read.family))
+        read.systems = {named_system(field.at(of))};
     read.compared = field.has("at most")    ? "at most"
                     : field.has("at least") ? "at least"
                                             : "equals";
@@ -347,10 +363,11 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
     const auto read_coding = [&] {
         if (!field.has("coding")) return;
         for (const auto& [name, image] : field.at("coding").object())
-            read.coding[symbol(image, name)] = image.text();
+            read.coding[free_symbol(image, name)] = letter_name(image);
     };
     if (field.has("derives")) {
-        if (rewritings_.contains(field.at("system").text()))
+        if (const std::string& name = field.at("system").text();
+            rewritings_.contains(name) && !bound_.systems.contains(name))
             return of_modules(field, std::move(read));
         field.only({"derives", "system", "from", "steps"});
         read.kind = Kind::derives;
@@ -368,6 +385,7 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         else
             field.only({"first order", "system", "coding"});
         read.kind = counts ? Kind::counts : Kind::first_order;
+        must_have_no_words("statements about places");
         read.systems = {named_system(field.at("system"))};
         read_coding();
         if (counts)
@@ -477,6 +495,10 @@ Language combination(Tree::Kind kind, std::vector<Language> parts,
                      std::map<Symbol, Word> morphism) {
     Tree tree;
     tree.kind = kind;
+    constexpr std::size_t deepest = 5'000;  // what is deep is walked by a deep stack
+    for (const Language& part : parts) tree.depth = std::max(tree.depth, part->depth + 1);
+    if (tree.depth > deepest)
+        throw BoundReached(Bound::method, "more than 5000 languages stand within each other");
     tree.parts = std::move(parts);
     tree.morphism = std::move(morphism);
     return std::make_shared<const Tree>(std::move(tree));
@@ -521,7 +543,26 @@ void check_name(const Field& field, const std::string& name) {
     for (std::size_t i = 0; i + 1 < name.size(); ++i)
         turns = turns || (name[i] == '\xC2' && static_cast<unsigned char>(name[i + 1]) < 0xA0);
     if (!is_plain || turns) field.fail("a name must not have control characters");
+    // What is not seen, or is like a blank: U+00A0, U+00AD, U+2000 to U+200D, U+2028, U+2029, U+202F, U+205F to U+2064, U+3000, U+FEFF.
+    for (const char* mark :
+         {"\u00A0", "\u00AD", "\u061C", "\u1680", "\u180E", "\u2000", "\u2001", "\u2002",
+          "\u2003", "\u2004", "\u2005", "\u2006", "\u2007", "\u2008", "\u2009", "\u200A",
+          "\u200B", "\u200C", "\u200D", "\u2028", "\u2029", "\u202F", "\u205F", "\u2060",
+          "\u2061", "\u2062", "\u2063", "\u2064", "\u3000", "\uFEFF"})
+        if (has(mark)) field.fail("a name must not have characters that are not seen");
 }
+
+}  // namespace
+
+std::string letter_name(const Field& field) {
+    const std::string& name = field.text();
+    if (name.empty() || name.find_first_of(" '") != std::string::npos)
+        field.fail("expected the name of a letter, without blanks and quotes");
+    check_name(field, name);
+    return name;
+}
+
+namespace {
 
 std::shared_ptr<const Alphabet> read_alphabet(const Field& field) {
     auto alphabet = std::make_shared<Alphabet>();
@@ -778,12 +819,32 @@ namespace {
 
 constexpr std::size_t longest = 160;  // bytes of one expression
 
-/// A name as it is printed: in quotes if it is longer than one character, so that it is not read as several letters.
+std::string in_quotes(const std::string& name) {
+    std::string quoted = "'";
+    for (const char c : name)
+        quoted += c == '\'' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    return quoted + "'";
+}
+
+}  // namespace
+
+std::string system_name(std::string name) {
+    std::string plain_name = name;
+    std::replace_if(
+        plain_name.begin(), plain_name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+    return is_name(plain_name) ? name : in_quotes(name);
+}
+
 std::string letter_text(const std::string& name) {
     std::size_t characters = 0;
     for (const char c : name) characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    return characters > 1 ? "'" + name + "'" : name;
+    static constexpr std::array<std::string_view, 10> signs = {"ε", "'", "\\", ",", ";",
+                                                               ":", "{", "}",  "(", ")"};
+    const bool is_sign = std::find(signs.begin(), signs.end(), name) != signs.end();
+    return characters > 1 || is_sign ? in_quotes(name) : name;
 }
+
+namespace {
 
 /// A word letter by letter; ε if it is empty.
 std::string word_text(const Alphabet& alphabet, const Word& word) {
@@ -816,7 +877,7 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     const auto part = [&](std::size_t i) { return language_text(language->parts[i], alphabet); };
     std::string text;
     if (language->kind == Tree::Kind::variable) return language->name;
-    if (language->kind == Tree::Kind::generated) return "L(" + language->name + ")";
+    if (language->kind == Tree::Kind::generated) return "L(" + system_name(language->name) + ")";
     if (language->kind == Tree::Kind::powers)
         return shortened(powers_text(*language->powers,
                                      [&](const Word& word) { return word_text(alphabet, word); }));
@@ -832,7 +893,9 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     if (*operation.between) text += operation.between + part(1);
     text += operation.after;
     if (operation.with == "letters")
-        text += language->name.empty() ? word_text(alphabet, language->letters) : language->name;
+        text += !language->name.empty()     ? language->name
+                : language->letters.empty() ? "no letters"
+                                            : word_text(alphabet, language->letters);
     if (operation.with == "morphism")
         text +=
             language->name.empty() ? morphism_text(language->morphism, alphabet) : language->name;
@@ -855,7 +918,7 @@ std::string term_text(const Term& term) {
 std::string modules_text(const WrittenModules& word) {
     std::string text;
     for (const auto& [letter, terms] : word) {
-        text += letter;
+        text += letter_text(letter);
         std::string list;
         for (const Term& term : terms) list += (list.empty() ? "" : ",") + term_text(term);
         if (!list.empty()) text += "(" + list + ")";
@@ -877,12 +940,14 @@ std::string steps_text(const std::map<std::string, Integer>& steps) {
 std::string side_text(const std::vector<WordFactor>& side, const Alphabet& alphabet) {
     std::string text;
     for (const WordFactor& factor : side) {
-        std::string one = factor.generation ? "word(" + factor.system.name + ", " +
+        std::string one = factor.generation ? "word(" + system_name(factor.system.name) + ", " +
                                                   factor.generation->text() + ")"
                                             : word_text(alphabet, factor.word);
         for (const auto& image : factor.images)
             one = morphism_text(image, alphabet) + "(" + one + ")";
-        text += (text.empty() ? "" : " ") + (factor.reversed ? "reversal of " + one : one);
+        if (factor.reversed) one = "reversal of " + one;
+        if (factor.reversed && side.size() > 1) one = "(" + one + ")";
+        text += (text.empty() ? "" : " ") + one;
     }
     return text.empty() ? "ε" : shortened(text);
 }
@@ -895,13 +960,17 @@ std::string quantified_text(const Statement& statement, const Alphabet& alphabet
     std::string text = said.universal ? "for all " : "for some ";
     for (std::size_t i = 0; i < said.names.size(); ++i) {
         const Quantified::Name& name = said.names[i];
-        text += (i > 0 ? " and " : "") + name.of + " " + name.name;
+        const bool is_letter = name.of == "words" || name.of == "letters";
+        text += (i > 0 ? " and " : "") + name.of + " " +
+                (is_letter ? letter_text(name.name) : name.name);
         if (name.size) text += " up to size " + std::to_string(*name.size);
         if (name.length) text += " with words up to length " + std::to_string(*name.length);
         if (name.most) text += " up to " + std::to_string(*name.most);
     }
     if (said.different_letters) text += " over different letters";
-    if (said.over) text += " over the letters " + word_text(alphabet, *said.over);
+    if (said.over)
+        text += said.over->empty() ? " over no letters"
+                                   : " over the letters " + word_text(alphabet, *said.over);
     for (std::size_t i = 0; i + 1 < statement.parts.size(); ++i)
         text += (i > 0 ? " and (" : " with (") +
                 plain_text(statement.parts[i], alphabet, statement.parts[i].negated) + ")";
@@ -934,7 +1003,7 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
     const auto language = [&](std::size_t i) {
         return language_text(statement.languages[i], alphabet);
     };
-    const auto system = [&](std::size_t i) { return statement.systems[i].name; };
+    const auto system = [&](std::size_t i) { return system_name(statement.systems[i].name); };
     const std::string word = shortened(word_text(alphabet, statement.word));
     switch (statement.kind) {
         case Kind::family:
@@ -967,7 +1036,8 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         case Kind::rewrites:
         case Kind::chance: {
             const bool is_chance = statement.kind == Kind::chance;
-            return statement.family + (opposite && !is_chance ? " does not derive " : " derives ") +
+            return system_name(statement.family) +
+                   (opposite && !is_chance ? " does not derive " : " derives ") +
                    modules_text(statement.modules) +
                    (statement.modules_from ? " from " + modules_text(*statement.modules_from)
                                            : "") +
@@ -995,7 +1065,7 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         case Kind::boundary:
             return std::string("the ") +
                    (statement.kind == Kind::dimension ? "dimension" : "boundary's dimension") +
-                   " of " + statement.family + " is " + no +
+                   " of " + system_name(statement.family) + " is " + no +
                    (statement.compared == "equals" ? "" : statement.compared + " ") +
                    statement.formula->text();
         case Kind::first_order:
@@ -1013,7 +1083,7 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         case Kind::growth_class:
             break;
     }
-    return "the growth of " + system(0) + " is " + no + statement.family +
+    return "the class of growth of " + system(0) + " is " + no + statement.family +
            (statement.size ? " of degree " + shortened(to_string(*statement.size)) : "");
 }
 
@@ -1041,7 +1111,40 @@ std::string system_text(const System& system, const Alphabet& alphabet) {
                 text += (i > 0 ? " | " : "") + word_text(alphabet, table[a][i]);
         }
     }
+    const auto listed = [&](const std::vector<char>& chosen) {
+        std::string letters;
+        for (Symbol a = 0; a < chosen.size(); ++a)
+            if (chosen[a]) letters += letter_text(alphabet.name(a));
+        return letters.empty() ? "none" : letters;
+    };
+    if (std::count(system.terminal.begin(), system.terminal.end(), 0) > 0)
+        text += "; terminals " + listed(system.terminal);
+    if (std::count(system.ignored.begin(), system.ignored.end(), 1) > 0)
+        text += "; ignored " + listed(system.ignored);
     return text;
+}
+
+/// "A(x) < B(y) > C : (x > y), 1/2 -> A((x + 1)) B(y)".
+std::string rule_text(const ModuleSystem::Rule& rule) {
+    const auto all = [](const std::vector<ModuleSystem::Pattern>& patterns) {
+        WrittenModules written;
+        for (const auto& [letter, parameters] : patterns) {
+            auto& terms = written.emplace_back(letter, std::vector<Term>{}).second;
+            for (const std::string& name : parameters) {
+                Term parameter;
+                parameter.kind = Term::Kind::parameter;
+                parameter.name = name;
+                terms.push_back(std::move(parameter));
+            }
+        }
+        return modules_text(written);
+    };
+    std::string text = (rule.left.empty() ? "" : all(rule.left) + " < ") + all({rule.module}) +
+                       (rule.right.empty() ? "" : " > " + all(rule.right));
+    if (!rule.elsewhere.empty()) text += " elsewhere " + all(rule.elsewhere);
+    if (rule.condition) text += " : " + term_text(*rule.condition);
+    if (rule.probability) text += ", " + to_string(*rule.probability);
+    return text + " -> " + modules_text(rule.successor);
 }
 
 }  // namespace
@@ -1052,11 +1155,17 @@ std::vector<std::string> definitions(const Certificate& certificate) {
     for (Symbol a = 0; a < alphabet.size(); ++a) letters += ' ' + letter_text(alphabet.name(a));
     std::vector<std::string> lines{alphabet.size() == 0 ? "no letters" : letters};
     for (const auto& [name, system] : certificate.systems)
-        lines.push_back(name + ": " + system_text(*system, alphabet));
-    for (const auto& [name, system] : certificate.rewritings)
-        lines.push_back(name + ": axiom " + modules_text(system->axiom) + "; " +
-                        std::to_string(system->rules.size()) + " rules of modules");
+        lines.push_back(system_name(name) + ": " + system_text(*system, alphabet));
+    if (certificate.empty_axiom) lines.push_back("the axiom of a system may be ε");
+    for (const auto& [name, system] : certificate.rewritings) {
+        std::string line = system_name(name) + ": axiom " + modules_text(system->axiom);
+        for (const ModuleSystem::Rule& rule : system->rules) line += "; " + rule_text(rule);
+        std::string ignored;
+        for (const std::string& letter : system->ignored) ignored += letter_text(letter);
+        lines.push_back(line + (ignored.empty() ? "" : "; ignored " + ignored));
+    }
     for (std::string& line : turtle_texts(certificate)) lines.push_back(std::move(line));
+    for (std::string& line : lines) line = plain(line);
     return lines;
 }
 

@@ -238,13 +238,13 @@ Finding check(const Certificate& certificate, const Entry& entry, const Budget& 
     using Outcome = Finding::Outcome;
     Finding found;
     const bool refuted = entry.verdict == Entry::Verdict::refuted;
-    found.statement = statement_text(entry.statement, refuted, *certificate.alphabet);
-    found.path = entry.field.path();
+    found.statement = plain(statement_text(entry.statement, refuted, *certificate.alphabet));
+    found.path = plain(entry.field.path());
     found.line = entry.field.line();
     if (entry.verdict == Entry::Verdict::undecided) return found;
     if (entry.verdict == Entry::Verdict::cited) {
         found.outcome = Outcome::cited;
-        found.citation = entry.citation;
+        found.citation = plain(entry.citation);
         return found;
     }
     try {
@@ -254,15 +254,18 @@ Finding check(const Certificate& certificate, const Entry& entry, const Budget& 
         found.outcome = Outcome::checked;
     } catch (const Flaw& flaw) {
         found.outcome = Outcome::wrong;
-        found.path = flaw.path;
+        found.path = plain(flaw.path);
         found.line = flaw.line;
-        found.reason = flaw.reason;
+        found.reason = plain(flaw.reason);
     } catch (const BoundReached& bound) {
         found.outcome = Outcome::not_checked;
-        found.reason = bound.what();
+        found.reason = plain(bound.what());
     } catch (const std::bad_alloc&) {
         found.outcome = Outcome::not_checked;
         found.reason = "the machine has no more memory";
+    } catch (const Error& error) {  // of a number, perhaps, which does not know where it stands
+        if (std::string_view(error.what()).starts_with(certificate.file + ":")) throw;
+        entry.field.fail(error.what());
     }
     return found;
 }
@@ -281,7 +284,13 @@ Finding read_and_check(const Certificate& certificate, const Field& field, const
         entry = read_entry(field, reader);
     } catch (const BoundReached& bound) {
         const std::string_view reason = bound.what(), path = unread.path;
-        unread.reason = reason.substr(reason.starts_with(path) ? path.size() + 1 : 0);
+        unread.reason = plain(reason.substr(reason.starts_with(path) ? path.size() + 1 : 0));
+        return unread;
+    } catch (const Flaw& flaw) {
+        unread.outcome = Finding::Outcome::wrong;
+        unread.path = plain(flaw.path);
+        unread.line = flaw.line;
+        unread.reason = plain(flaw.reason);
         return unread;
     }
     return check(certificate, *entry, budget);

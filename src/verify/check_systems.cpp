@@ -623,6 +623,7 @@ void check_finite_sequences(const Obligation& task) {
         letters += one.size() + 16;
         if (letters > most)
             throw BoundReached(Bound::method, "the words of the sequences are too long");
+        task.budget.check_memory(letters * sizeof(Symbol), "the words of the sequences");
         one = next(left, one, task.budget, most);
         other = next(right, other, task.budget, most);
     }

@@ -163,7 +163,7 @@ private:
                 refuse();
         } else if (body_.kind == Kind::numbers) {
             const bool turned = body_.family == ">=";
-            const Reader named = reader().with(open_names(said_));
+            const Reader named = reader().with(open_names(said_, task_.alphabet()));
             const auto smaller = word_measured(body_.terms[turned ? 1 : 0], named),
                        larger = word_measured(body_.terms[turned ? 0 : 1], named);
             if (!family_.starts_with('P') || (!turned && body_.family != "<=") || all.size() != 1 ||

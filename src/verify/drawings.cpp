@@ -273,14 +273,14 @@ std::vector<std::string> turtle_texts(const Certificate& certificate) {
     if (!root.has("turtles")) return lines;
     for (const auto& [name, field] : root.at("turtles").object()) {
         const Turtle turtle = read_turtle(field, *certificate.alphabet);
-        std::string text =
-            "the turtle of " + name + ": turns by " + to_string(turtle.turn) + " of a full turn";
+        std::string text = "the turtle of " + system_name(name) + ": turns by " +
+                           to_string(turtle.turn) + " of a full turn";
         if (!turtle.heading.is_zero())
             text += ", starts at " + to_string(turtle.heading) + " of it";
         if (!turtle.spin.is_zero())
             text += ", for each generation " + to_string(turtle.spin) + " more";
         for (const auto& [letter, commands] : turtle.letters)
-            text += "; " + certificate.alphabet->name(letter) + " does " + commands;
+            text += "; " + letter_text(certificate.alphabet->name(letter)) + " does " + commands;
         lines.push_back(std::move(text));
     }
     return lines;

@@ -746,6 +746,9 @@ private:
     }
     std::string multiple(const std::string& name, const Integer& times, Block& block) {
         if (times == 1) return name;
+        if (bit_length(times) > 300)
+            throw BoundReached(Bound::method,
+                               "multiples of more than 90 digits are not worked out again");
         const Integer half = floor_divide(times, 2);
         const std::string part = multiple(name, half, block);
         const std::string twice = plus(part, part, block);
@@ -864,6 +867,7 @@ private:
     Tuples solved(Block block) {
         auto& relations = block.relations;
         while (!block.bound.empty()) {
+            task_.budget.check();
             const auto cost = [&](const std::string& name) {
                 std::size_t sum = 0;
                 for (const Tuples& one : relations)

@@ -91,7 +91,7 @@ Formula read_formula(const Field& field, std::set<std::string>& bound,
             terms(value, 3);
             break;
         case Kind::letter:
-            read.letter = value.text();
+            read.letter = letter_name(value);
             read.terms = {read_sum(field.at("at"), known, true)};
             break;
         case Kind::negation:
@@ -218,10 +218,11 @@ CountedPlaces read_counts(const Field& field) {
 }
 
 std::string formula_text(const Statement& statement, const Alphabet& alphabet) {
-    const std::string& word = statement.systems[0].name;
+    const std::string word = system_name(statement.systems[0].name);
     std::string coded, says;
     for (const auto& [a, name] : statement.coding)
-        coded += (coded.empty() ? "" : ", ") + alphabet.name(a) + " written as " + name;
+        coded +=
+            (coded.empty() ? "" : ", ") + letter_text(alphabet.name(a)) + " written as " + name;
     if (statement.counted) {
         const auto& [parts, slope, plus, from] = *statement.counted;
         const auto add = [&](const Integer& times, const std::string& of) {

@@ -248,6 +248,19 @@ void check_invariant(const Obligation& task) {
         closed_steps(*named.system, automaton, named.system->axiom, field, task.budget);
         known.emplace(named.system.get(), completed(automaton, task.alphabet().size()));
     }
+    if (statement.kind == Kind::derives) {  // also words with letters that are no terminals
+        const System& system = *statement.systems[0].system;
+        const auto automaton = known.find(&system);
+        if (automaton != known.end()) {
+            std::size_t state = 0;
+            for (const Symbol a : statement.word) state = automaton->second.next[state][a];
+            if (automaton->second.accepting[state])
+                task.refuse("the automata do not keep the word out");
+            return;
+        }
+        if (std::count(system.terminal.begin(), system.terminal.end(), 0) > 0)
+            task.refuse("the system has letters that are no terminals, and no automaton");
+    }
     const Language left = statement.kind == Kind::derives
                               ? generated_by(statement.systems[0].system, statement.systems[0].name)
                               : task.language();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "exact/exact.hpp"
+#include "verify/detail/checking.hpp"
 #include "verify/verify.hpp"
 
 // A certificate as text: values of JSON that know their line, built from the events of nlohmann's parser, and fields with the path
@@ -360,8 +361,40 @@ Integer Field::integer(bool negative) const {
 }
 
 void Field::fail(const std::string& what) const {
-    throw Error(*file_ + ":" + std::to_string(line()) + ": " + (path_.empty() ? "" : path_ + ": ") +
-                what);
+    throw Error(*file_ + ":" + std::to_string(line()) + ": " +
+                plain((path_.empty() ? "" : path_ + ": ") + what));
+}
+
+std::string plain(std::string_view text) {
+    static constexpr std::string_view digits = "0123456789abcdef";
+    std::string all;
+    const auto at = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const unsigned byte = at(i), third = at(i + 2);
+        if (byte < 0x20 || byte == 0x7F) {
+            all += "\\x";
+            all += digits[byte >> 4];
+            all += digits[byte & 15];
+        } else if (byte == 0xC2 && at(i + 1) >= 0x80 && at(i + 1) < 0xA0) {  // U+0080 to U+009F
+            all += "\\u00";
+            all += digits[at(i + 1) >> 4];
+            all += digits[at(i + 1) & 15];
+            ++i;
+        } else if (byte == 0xE2 &&
+                   (at(i + 1) == 0x80
+                        ? third >= 0x8B && third <= 0xAE && (third < 0x90 || third > 0xA7)
+                        : at(i + 1) == 0x81 && third >= 0xA0 && third <= 0xAF)) {
+            const unsigned code = (at(i + 1) & 0x3FU) << 6 | (third & 0x3FU);  // of U+2000 and more
+            all += "\\u2";
+            for (const unsigned shift : {8U, 4U, 0U}) all += digits[code >> shift & 15];
+            i += 2;
+        } else {
+            all += text[i];
+        }
+    }
+    return all;
 }
 
 void Field::refuse(const std::string& why) const { throw Flaw{path_, line(), why}; }

@@ -351,7 +351,9 @@ private:
         if (task.statement.systems.empty() || !is_d0l(task.system()))
             too_hard("dimensions of such systems are not worked out again");
         const Field root(task.certificate.header, "", task.certificate.file);
-        if (!root.has("turtles") || !root.at("turtles").has(task.statement.family))
+        const auto known = task.certificate.systems.find(task.statement.family);
+        if (known == task.certificate.systems.end() || known->second.get() != &task.system() ||
+            !root.has("turtles") || !root.at("turtles").has(task.statement.family))
             task.refuse("no turtle of the system '" + task.statement.family + "' is known");
         return read_turtle(root.at("turtles").at(task.statement.family), task.alphabet());
     }
@@ -594,6 +596,7 @@ private:
                 found = Number{root.real, root.imaginary};
                 minimal_ = factor;
             }
+        if (!found) proof_.at("factor").refuse("it is near no root");
         factor_ = found;
         if (!is_above(square_of_size(*factor_), Ball(1, bits)))
             proof_.at("factor").refuse("it is not larger than 1");

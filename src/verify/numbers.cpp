@@ -287,6 +287,9 @@ private:
                 const std::string letter = piece();
                 read.letter = reader_.alphabet().find(letter);
                 if (!read.letter) field_.fail("'" + letter + "' is not a letter of the alphabet");
+                const BoundNames& bound = reader_.bound();
+                if (bound.words.contains(*read.letter) || bound.open_words.contains(*read.letter))
+                    field_.fail("'" + letter + "' is bound, and stands for a letter in words only");
             }
             read.parts.push_back(sum());
         } else if (name == "distinct segments" || name == "boxes") {
@@ -722,7 +725,7 @@ std::map<std::string, Affine> free_numbers(const Obligation& task, const Quantif
 BoundNames open_numbers(const Obligation& task, const Quantified& said) {
     for (const Quantified::Name& name : said.names)
         if (name.of != "numbers" || name.most || name.size) task.wrong_kind();
-    return open_names(said);
+    return open_names(said, task.alphabet());
 }
 
 ForAll for_all(const Obligation& task) {

@@ -89,10 +89,8 @@ Language Reader::powers(const Field& field) const {
     for (const Field& each : field.at("numbers").list()) {
         each.only({"name", "least"});
         const std::string& name = each.at("name").text();
-        const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        });
-        if (!plain) each.at("name").fail("a number is called by letters and digits");
+        if (!is_name(name))
+            each.at("name").fail("expected a name: a letter or _, then letters, digits, _ and '");
         if (std::count(read->names.begin(), read->names.end(), name) > 0)
             each.at("name").fail("the number '" + name + "' stands here twice");
         read->names.push_back(name);

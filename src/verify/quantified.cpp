@@ -26,7 +26,11 @@ Reader Reader::with(const BoundNames& names) const {
         more.bound_.systems.insert_or_assign(name, system);
     for (const auto& [name, morphism] : names.morphisms)
         more.bound_.morphisms.insert_or_assign(name, morphism);
-    for (const auto& [letter, word] : names.words) more.bound_.words.insert_or_assign(letter, word);
+    for (const Symbol letter : names.open_words) more.bound_.open_words.insert(letter);
+    for (const auto& [letter, word] : names.words) {
+        more.bound_.words.insert_or_assign(letter, word);
+        more.bound_.open_words.erase(letter);
+    }
     for (const auto& [name, number] : names.numbers)
         more.bound_.numbers.insert_or_assign(name, number);
     return more;
@@ -35,7 +39,7 @@ Reader Reader::with(const BoundNames& names) const {
 BoundNames::Images Reader::images(const Field& field, bool several) const {
     BoundNames::Images all;
     for (const auto& [name, image] : field.object()) {
-        std::vector<Word>& of = all[symbol(image, name)];
+        std::vector<Word>& of = all[free_symbol(image, name)];
         of = several ? words(image) : std::vector<Word>{word(image)};
         if (of.empty()) image.fail("a letter needs an image");
     }
@@ -57,6 +61,9 @@ std::vector<Word> substituted(const Word& word, const BoundNames::Images& images
                 longer.push_back(begun);
                 longer.back().insert(longer.back().end(), image.begin(), image.end());
             }
+        constexpr std::size_t most = 100'000;
+        if (longer.size() > most)
+            throw BoundReached(Bound::method, "an image of more than 100000 words is not checked");
         made = std::move(longer);
     }
     return made;
@@ -192,7 +199,7 @@ bool is_morphism_domain(const std::string& of) {
     return of.ends_with("morphisms") || of == "codings" || of.ends_with("substitutions");
 }
 
-BoundNames open_names(const Quantified& said) {
+BoundNames open_names(const Quantified& said, const Alphabet& alphabet) {
     BoundNames open;
     for (const auto& [name, of, size, length, most] : said.names) {
         if (of.ends_with("languages")) {
@@ -206,9 +213,18 @@ BoundNames open_names(const Quantified& said) {
             open.morphisms[name] = std::nullopt;
         } else if (of == "numbers") {
             open.numbers[name] = std::nullopt;
+        } else {
+            open.open_words.insert(alphabet.find(name).value());
         }
     }
     return open;
+}
+
+bool Reader::is_bound(const std::string& name) const {
+    const auto letter = alphabet_.find(name);
+    return bound_.languages.contains(name) || bound_.systems.contains(name) ||
+           bound_.morphisms.contains(name) || bound_.numbers.contains(name) ||
+           (letter && (bound_.words.contains(*letter) || bound_.open_words.contains(*letter)));
 }
 
 Statement Reader::quantified(const Field& field) const {
@@ -216,6 +232,7 @@ Statement Reader::quantified(const Field& field) const {
     said->universal = field.has("for all");
     const std::string_view quantifier = said->universal ? "for all" : "for some";
     field.only({quantifier, "different letters", "over", "with", "holds"});
+    std::set<std::string> names;
     for (const Field& each : field.at(quantifier).list()) {
         each.only({"name", "of", "size", "length", "up to"});
         Quantified::Name name{each.at("name").text(), each.at("of").text(), {}, {}};
@@ -224,16 +241,26 @@ Statement Reader::quantified(const Field& field) const {
         if (each.has("up to")) name.most = each.at("up to").number();
         if (!is_domain(name.of))
             each.at("of").fail("expected what a name ranges over, found '" + name.of + "'");
-        if (name.of != "words" && name.of != "letters" && !is_name(name.name))
+        const bool is_word = name.of == "words" || name.of == "letters";
+        if (!is_word && !is_name(name.name))
             each.at("name").fail("expected a name: a letter or _, then letters, digits, _ and '");
-        if (name.of == "words" || name.of == "letters") letter(each.at("name"));
+        if (is_bound(name.name) || !names.insert(name.name).second)
+            each.at("name").fail("expected another name, as this one is bound already");
+        if (name.most && name.of != "numbers")
+            each.at("up to").fail("only numbers have a greatest value");
+        if (name.length && name.of == "numbers")
+            each.at("length").fail("numbers have no words with a length");
+        if (is_word && letters_of_values().contains(symbol(each.at("name"), name.name)))
+            throw BoundReached(Bound::method, each.at("name").path() +
+                                                  ": the value of a name has the letter '" +
+                                                  name.name + "', which is bound here");
         said->names.push_back(std::move(name));
     }
     if (said->names.empty()) field.at(quantifier).fail("expected a name");
     if (field.has("different letters"))
         said->different_letters = field.at("different letters").truth();
     if (field.has("over")) said->over = letters(field.at("over"));
-    const Reader inner = with(open_names(*said));
+    const Reader inner = with(open_names(*said, alphabet_));
     Statement read;
     read.kind = Statement::Kind::quantified;
     if (field.has("with")) said->conditions = field.at("with").list();
@@ -303,7 +330,15 @@ void Values::read_system(const Quantified::Name& name, const Field& field) {
     auto system = std::make_shared<const System>(task_.reader.system(field));
     const auto why = beyond_form(*system, family_of(name.of, " systems"), false);
     if (why) field.refuse("the value is no such system: " + *why);
-    for (const Symbol letter : accessible_letters(*system, system->axiom)) {
+    if (system->context && (name.size || name.length || said_.over))
+        field.refuse("the size and letters of a system with context are not known");
+    const std::vector<Symbol> accessible = accessible_letters(*system, system->axiom);
+    for (const System::Successors& table : system->tables)
+        for (Symbol a = 0; a < table.size(); ++a)
+            if (table[a] != std::vector<Word>{{a}} &&
+                !std::binary_search(accessible.begin(), accessible.end(), a))
+                field.refuse("a letter that never occurs has a rule");
+    for (const Symbol letter : accessible) {
         here_.insert(letter);
         for (const System::Successors& table : system->tables)
             for (const Word& successor : table[letter]) add(successor, name, field);
@@ -324,6 +359,7 @@ void Values::read_morphism(const Quantified::Name& name, const Field& field) {
             if (codes && image.size() != 1)
                 field.refuse("the image of a letter under the value is not a letter");
             add(image, name, field);
+            here_.insert(letter);
         }
     read_.morphisms[name.name] = std::move(images);
 }
@@ -332,7 +368,8 @@ void Values::read_number(const Quantified::Name& name, const Field& field) {
     const Integer number = field.integer();
     if (name.most && number > Integer(*name.most))
         field.refuse("the value is larger than the bound says");
-    if (number.fits_uint64()) size_ = number.to_uint64();
+    if (name.size && number > Integer(*name.size))
+        field.refuse("the value is larger than the bound says");
     read_.numbers[name.name] = number;
 }
 

@@ -216,7 +216,12 @@ ModuleSystem module_system(const Field& field) {
     field.only({"axiom", "modules", "ignored"});
     ModuleSystem system;
     system.axiom = modules(field.at("axiom"));
-    for (const Field& each : field.at("modules").list()) system.rules.push_back(rule(each));
+    for (const Field& each : field.at("modules").list()) {
+        system.rules.push_back(rule(each));
+        const ModuleSystem::Rule& read = system.rules.back();
+        if (std::max({read.left.size(), read.right.size(), read.elsewhere.size()}) > 1'000)
+            each.fail("more than 1000 modules around one");
+    }
     if (field.has("ignored"))
         for (const Field& letter : field.at("ignored").list()) system.ignored.insert(letter.text());
     return system;

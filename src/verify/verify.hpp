@@ -310,6 +310,7 @@ struct Tree {
     std::vector<Symbol> letters;      // of a complement, increasing
     std::map<Symbol, Word> morphism;  // of an image or inverse image
     std::shared_ptr<const Powers> powers;
+    std::size_t depth = 1;  // of what was combined
 };
 
 Language words_of(std::vector<Word> words);
@@ -487,6 +488,7 @@ struct BoundNames {
     std::map<std::string, std::shared_ptr<const System>> systems;
     std::map<std::string, std::optional<Images>> morphisms;
     std::map<Symbol, Word> words;  // by the letter that a bound word is in texts
+    std::set<Symbol> open_words;   // those without a value
     std::map<std::string, std::optional<Integer>> numbers;
 };
 
@@ -523,6 +525,11 @@ public:
 
 private:
     Symbol symbol(const Field& field, std::string_view name) const;
+    /// One that no word is bound to: what stands for a word stands for it in words only.
+    Symbol free_symbol(const Field& field, std::string_view name) const;
+    bool is_bound(const std::string& name) const;
+    /// Throws BoundReached where a word is bound.
+    void must_have_no_words(const char* what) const;
     /// Distinct letters, increasing.
     std::vector<Symbol> letters(const Field& field) const;
     /// The letters of the values of bound names.

@@ -108,6 +108,17 @@ TEST_CASE("a statement that is too much to read does not end the others") {
     CHECK(found[1].outcome == Outcome::checked);
 }
 
+TEST_CASE("a count in a statement that has no value is a wrong statement, not the end") {
+    for (const char* steps : {"count(G, a, 3)", "length(G, 3)", "distinct segments(G, 3)"}) {
+        changed::Json statement = changed::Json::parse(R"({"derives": "a", "system": "G"})");
+        statement["steps"] = steps;
+        CHECK(outcome_of(
+                  statement, {{"by", "exhausted"}},
+                  changed::Json::parse(R"({"axiom": "a", "tables": [{"a": ["a", "a a"]}]})")) ==
+              "wrong: statement.steps: a system is not D0L");
+    }
+}
+
 TEST_CASE("lengths of a system without values are no lengths of words") {
     const auto found = [](const char* left, const char* right) {
         changed::Json statement = changed::Json::parse(
@@ -143,4 +154,50 @@ TEST_CASE("automata of long images are refused before they are made") {
     CHECK(found(150).starts_with("not checked: the automata would take more than the 256 MiB"));
     CHECK(found(700).starts_with("not checked: automata that read 3 numbers at once"));
     CHECK(found(7000).starts_with("not checked: automata that read "));
+}
+
+TEST_CASE("what is large or deep ends no checker") {
+    const changed::Json one = changed::Json::parse(R"({"axiom": "a", "tables": [{"a": ["a a"]}]})");
+    changed::Json multiple = changed::Json::parse(
+        R"({"first order": {"exists": ["i"], "holds": {"equation": {"of": {"i": "1"}, "plus": "0"}}}, "system": "G"})");
+    multiple["first order"]["holds"]["equation"]["of"]["i"] = std::string(9'000, '7');
+    CHECK(
+        outcome_of(
+            multiple,
+            changed::Json::parse(
+                R"({"by": "automata", "addition": {"edges": [[0,0,0,0,0],[0,0,1,1,0],[0,1,0,1,0],[0,1,1,0,1],[1,0,0,1,0],[1,0,0,0,1]], "accepting": [true, false]}})"),
+            one)
+            .starts_with("not checked: multiples of more than 90 digits"));
+    changed::Json names{{"for all", changed::Json::array()},
+                        {"holds", {{"numbers", {"1", "=", "1"}}}}};
+    for (int i = 0; i < 60'000; ++i)
+        names["for all"].push_back(
+            {{"name", "n" + std::to_string(i)}, {"of", "numbers"}, {"up to", 0}});
+    CHECK(outcome_of(names, changed::Json::parse(R"({"by": "cases", "cases": []})"), one) ==
+          "not checked: the instances are not enumerated again: there are more than 100 names");
+    changed::Json powers{{"powers", changed::Json::array()},
+                         {"numbers", {{{"name", "n"}, {"least", 0}}}}};
+    for (int i = 0; i < 40'000; ++i)
+        powers["powers"].push_back(
+            {{"word", "a"},
+             {"exponent",
+              {i == 0 ? changed::Json::parse(R"({"coefficient": 1, "number": "n", "power": 1})")
+                      : changed::Json{{"coefficient", 1}}}}});
+    CHECK(outcome_of({{"equal", {powers, changed::Json::parse(R"({"star": {"words": ["a"]}})")}}},
+                     {{"by", "derivatives"}},
+                     one) == "not checked: more than 5000 languages stand within each other");
+    changed::Json modules = changed::Json::parse(
+        R"({"axiom": [["a"]], "modules": [{"module": ["a"], "successor": []}]})");
+    for (int i = 0; i < 1'001; ++i) modules["modules"][0]["elsewhere"].push_back({"a"});
+    CHECK(outcome_of(changed::Json::parse(R"({"derives": [["a"]], "system": "G", "steps": 0})"),
+                     {{"by", "rewriting"}},
+                     modules) == "error: systems.G.modules[0]: more than 1000 modules around one");
+    CHECK(
+        outcome_of(
+            changed::Json::parse(
+                R"({"for all": [{"name": "h", "of": "finite substitutions"}], "holds": {"is": "finite", "language": {"image": {"words": ["a a a a a a a a a a a a a a a a a a a a a a"]}, "morphism": "h"}}})"),
+            changed::Json::parse(
+                R"({"by": "instance", "values": {"h": {"a": ["", "a"]}}, "proof": {"by": "values"}})"),
+            one)
+            .starts_with("wrong: "));
 }

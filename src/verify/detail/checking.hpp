@@ -162,8 +162,21 @@ void check_proof(const Obligation& task);
 /// none may look like one.
 bool is_name(std::string_view text);
 
+/// The name of a letter, which need not be one of the alphabet: without blanks, controls and quotes, in which it is printed.
+std::string letter_name(const Field& field);
+
+/// The name of a system as it is printed: in quotes if it is none that may be bound, but for - and ., such as 'CF { S -> aS | b }'.
+std::string system_name(std::string name);
+
+/// The name of a letter as it is printed: in quotes if it is longer than one character, so that it is not read as several
+/// letters, or is a sign of the text around it.
+std::string letter_text(const std::string& name);
+
+/// The text on one line, without characters that steer a terminal: they stand as \x1b or \u2028.
+std::string plain(std::string_view text);
+
 /// The names of a quantifier without values, as its statement is read with them; words are letters there.
-BoundNames open_names(const Quantified& said);
+BoundNames open_names(const Quantified& said, const Alphabet& alphabet);
 
 /// Whether this is a family that proofs can be about.
 bool is_checked_family(std::string_view name);

@@ -31,7 +31,7 @@ namespace {
 
 constexpr std::size_t most_pairs = 20'000, most_kinds = 60'000;
 constexpr std::size_t largest_joined =
-    240;  // of the matrices whose characteristic polynomials are worked out
+    200;  // of the matrices whose characteristic polynomials are worked out
 
 }  // namespace
 

@@ -657,12 +657,11 @@ std::optional<D0L> built(const SequenceSpecification& sequence, const Budget& bu
     StageSearch search(Polynomial(characteristic), budget);
     if (!search.is_small()) return std::nullopt;
     std::optional<D0L> erasing;
-    bool has_long_word = false;
     std::size_t last = early + most_first_words;
     for (std::size_t first = early; first <= last; ++first) {
         const std::vector<Integer> later(f.begin() + static_cast<std::ptrdiff_t>(first), f.end());
         if (first > 0 && f[first - 1] > Integer(longest_stage_rule)) {  // so are all from here on
-            has_long_word = true;
+            too_long = true;
             break;
         }
         for (const bool stays : {true, false}) {
@@ -675,7 +674,7 @@ std::optional<D0L> built(const SequenceSpecification& sequence, const Budget& bu
             last = std::min(last, first + 3);
         }
     }
-    too_long = has_long_word || search.was_too_long();
+    too_long = too_long || search.was_too_long();
     return erasing;
 }
 

@@ -102,8 +102,8 @@ void add_letters_of_systems(const Statement& statement, std::set<Symbol>& letter
     for (const Statement& part : statement.parts) add_letters_of_systems(part, letters);
 }
 
-/// The letters on which the truth of a statement may depend, but for those in the place of bound names. Lengths and growth do
-/// not depend on letters.
+/// The letters besides those of systems on which the truth of a statement may depend, but for those in the place of bound names.
+/// Lengths and growth do not depend on letters.
 void add_letters(const Statement& statement, const Alphabet& alphabet, std::set<Symbol>& letters) {
     using Kind = Statement::Kind;
     for (const Language& language : statement.languages) add_letters(language, letters);
@@ -125,7 +125,6 @@ void add_letters(const Statement& statement, const Alphabet& alphabet, std::set<
             inner.insert(statement.quantified->over->begin(), statement.quantified->over->end());
     }
     letters.merge(inner);
-    add_letters_of_systems(statement, letters);
 }
 
 /// Whether the inverse of a bound morphism is asked for.
@@ -162,10 +161,12 @@ public:
         : task_(task),
           said_(*task.statement.quantified),
           first_new_(static_cast<Symbol>(task.alphabet().size())) {
-        if (said_.over)
+        if (said_.over) {
             named_.insert(said_.over->begin(), said_.over->end());
-        else
+        } else {
             add_letters(task.statement, task.alphabet(), named_);
+            add_letters_of_systems(task.statement, named_);
+        }
         must_be_finite();
     }
 

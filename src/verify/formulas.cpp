@@ -24,6 +24,12 @@ bool is_name(std::string_view text) {
     });
 }
 
+const std::string& name_in(const Field& field) {
+    if (!is_name(field.text()))
+        field.fail("expected a name: a letter or _, then letters, digits, _ and '");
+    return field.text();
+}
+
 namespace {
 
 LinearSum read_sum(const Field& field, const std::set<std::string>& known, bool is_position) {
@@ -110,9 +116,7 @@ Formula read_formula(const Field& field, std::set<std::string>& bound,
         case Kind::for_all: {
             std::set<std::string> inner = known;
             for (const Field& name : value.list()) {
-                if (!is_name(name.text()))
-                    name.fail("expected a name: a letter or _, then letters, digits, _ and '");
-                if (!bound.insert(name.text()).second)
+                if (!bound.insert(name_in(name)).second)
                     name.fail("expected another name, as this one is bound already");
                 inner.insert(name.text());
                 read.names.push_back(name.text());

@@ -287,8 +287,7 @@ private:
                 const std::string letter = piece();
                 read.letter = reader_.alphabet().find(letter);
                 if (!read.letter) field_.fail("'" + letter + "' is not a letter of the alphabet");
-                const BoundNames& bound = reader_.bound();
-                if (bound.words.contains(*read.letter) || bound.open_words.contains(*read.letter))
+                if (is_bound_word(reader_.bound(), *read.letter))
                     field_.fail("'" + letter + "' is bound, and stands for a letter in words only");
             }
             read.parts.push_back(sum());

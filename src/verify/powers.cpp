@@ -88,9 +88,7 @@ Language Reader::powers(const Field& field) const {
     auto read = std::make_shared<Powers>();
     for (const Field& each : field.at("numbers").list()) {
         each.only({"name", "least"});
-        const std::string& name = each.at("name").text();
-        if (!is_name(name))
-            each.at("name").fail("expected a name: a letter or _, then letters, digits, _ and '");
+        const std::string& name = name_in(each.at("name"));
         if (std::count(read->names.begin(), read->names.end(), name) > 0)
             each.at("name").fail("the number '" + name + "' stands here twice");
         read->names.push_back(name);

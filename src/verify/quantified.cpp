@@ -220,11 +220,15 @@ BoundNames open_names(const Quantified& said, const Alphabet& alphabet) {
     return open;
 }
 
+bool is_bound_word(const BoundNames& bound, Symbol letter) {
+    return bound.words.contains(letter) || bound.open_words.contains(letter);
+}
+
 bool Reader::is_bound(const std::string& name) const {
     const auto letter = alphabet_.find(name);
     return bound_.languages.contains(name) || bound_.systems.contains(name) ||
            bound_.morphisms.contains(name) || bound_.numbers.contains(name) ||
-           (letter && (bound_.words.contains(*letter) || bound_.open_words.contains(*letter)));
+           (letter && is_bound_word(bound_, *letter));
 }
 
 Statement Reader::quantified(const Field& field) const {
@@ -242,8 +246,7 @@ Statement Reader::quantified(const Field& field) const {
         if (!is_domain(name.of))
             each.at("of").fail("expected what a name ranges over, found '" + name.of + "'");
         const bool is_word = name.of == "words" || name.of == "letters";
-        if (!is_word && !is_name(name.name))
-            each.at("name").fail("expected a name: a letter or _, then letters, digits, _ and '");
+        if (!is_word) name_in(each.at("name"));
         if (is_bound(name.name) || !names.insert(name.name).second)
             each.at("name").fail("expected another name, as this one is bound already");
         if (name.most && name.of != "numbers")

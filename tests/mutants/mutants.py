@@ -42,12 +42,8 @@ class Room:
         for number, mutant in enumerate(self.mutants):
             mutant.number = number
         self.wanted = {mutant.number for mutant in self.mutants}
-        self.lines = {source.file: source.text.splitlines() for source in self.sources}
-        kinds = collections.Counter()
-        for mutant in self.mutants:
-            kind = key_of(mutant, self.lines[mutant.file])
-            kinds[kind] += 1
-            mutant.nth = kinds[kind]
+        for source in self.sources:
+            give_keys(source)
         (self.folder / 'mutants.hpp').parent.mkdir(parents=True, exist_ok=True)
         put(self.folder / 'mutants.hpp', '#pragma once\nnamespace mutants { bool is_on(unsigned number); }\n')
 
@@ -253,11 +249,15 @@ class Tests:
         return 'timed out' if -run.returncode in (signal.SIGPROF, signal.SIGKILL) else 'killed'
 
 
-def key_of(mutant, lines):
-    """What equivalent.txt knows a mutant by: its file, line, column in the line, and what is changed into what. Where the same line
-    stands in the file again the column is 5#2, 5#3, ..."""
-    column = str(mutant.column) + (f'#{mutant.nth}' if mutant.nth > 1 else '')
-    return mutant.file, lines[mutant.line - 1].strip(), column, mutant.original, mutant.changed
+def give_keys(source):
+    """Tells the mutants of a file what equivalent.txt knows them by: file, line, column in the line, and what is changed into what. Where
+    the same line stands in the file again the column is 5#2, 5#3, ..."""
+    lines, times = source.text.splitlines(), collections.Counter()
+    for mutant in source.mutants:
+        line, change = lines[mutant.line - 1].strip(), (mutant.original, mutant.changed)
+        times[line, mutant.column, change] += 1
+        nth = times[line, mutant.column, change]
+        mutant.key = mutant.file, line, str(mutant.column) + (f'#{nth}' if nth > 1 else ''), *change
 
 
 def known_equivalents(room):
@@ -303,8 +303,7 @@ def main():
 
     room = Room(asked.room, asked.build, asked.jobs)
     room.choose(asked.only, asked.sample, asked.seed)
-    text = room.lines
-    found = {key_of(mutant, text[mutant.file]) for mutant in room.mutants}
+    found = {mutant.key for mutant in room.mutants}
     found |= {(*key[:2], '*', '*', '*') for key in found}
     for key in known_equivalents(asked.room):
         if key not in found:
@@ -312,12 +311,12 @@ def main():
     if asked.list:
         for mutant in room.mutants:
             if mutant.number in room.wanted:
-                say(' ## '.join(key_of(mutant, text[mutant.file])))
+                say(' ## '.join(mutant.key))
         return
     say(f'{len(room.wanted)} mutants of {asked.room}')
     dropped = room.drop_what_fails()
     if asked.hunt or asked.try_file:
-        return hunt(room, text, asked.hunt, asked.try_file)
+        return hunt(room, asked.hunt, asked.try_file)
     if asked.longest < 10:
         ENVIRONMENT['ALGAE_QUICK'] = '1'
     tests = Tests(room.link(room.compile()), room.folder)
@@ -332,7 +331,7 @@ def main():
     if asked.again:  # those that are explained are believed: a whole run tries them, too
         known = known_equivalents(asked.room)
         found.update({mutant.number: 'survived' for mutant in left
-                      if reason_for(key_of(mutant, text[mutant.file]), known) is not None})
+                      if reason_for(mutant.key, known) is not None})
         left = [mutant for mutant in left if mutant.number not in found]
     if room.name == 'verify':
         noticed = noticed_by_cases(room, left, asked.jobs)
@@ -387,14 +386,14 @@ def noticed_by_cases(room, mutants, jobs):
     return noticed
 
 
-def hunt(room, text, seconds, try_file):
+def hunt(room, seconds, try_file):
     """Looks for changed certificates that notice survivors, and writes them to the tests. With `try_file` only those of the file."""
     if room.name != 'verify':
         sys.exit('--hunt: only certificates are changed, which are checked by verify')
     known, alive = known_equivalents(room.name), []
     dead, by_number = noticed_before(room).keys(), {mutant.number: mutant for mutant in room.mutants}
     for mutant in room.mutants:
-        if mutant.number in room.wanted - dead and reason_for(key_of(mutant, text[mutant.file]), known) is None:
+        if mutant.number in room.wanted - dead and reason_for(mutant.key, known) is None:
             alive.append(mutant.number)
     program = hunter(room)
     if try_file:
@@ -445,7 +444,7 @@ def note_noticed(room, by_number, noticed):
         file = room.folder / 'found'
     with file.open('a') as out:
         for number in noticed:
-            out.write(line_of_found(room, by_number[number], 'killed'))
+            out.write(line_of_found(by_number[number], 'killed'))
 
 
 def try_changes(room, program, file, alive):
@@ -509,10 +508,10 @@ def write_cases(path, cases):
     put(path, '[\n' + ',\n'.join(text) + '\n]\n')
 
 
-def line_of_found(room, mutant, outcome):
+def line_of_found(mutant, outcome):
     """A line of the files that have what was found: the outcome, the number in this program, the line, and the key, which knows the
     mutant when the sources have changed."""
-    return '\t'.join([outcome, str(mutant.number), str(mutant.line), *key_of(mutant, room.lines[mutant.file])]) + '\n'
+    return '\t'.join([outcome, str(mutant.number), str(mutant.line), *mutant.key]) + '\n'
 
 
 def read_found(text):
@@ -528,7 +527,7 @@ def noticed_before(room):
     last = max(filter(Path.exists, (room.folder / 'found', room.folder / 'found-so-far')), key=lambda file: file.stat().st_mtime,
                default=None)
     found = {key: outcome for outcome, _, key in read_found(last.read_text() if last else '')}
-    outcomes = {mutant.number: found.get(key_of(mutant, room.lines[mutant.file])) for mutant in room.mutants}
+    outcomes = {mutant.number: found.get(mutant.key) for mutant in room.mutants}
     return {number: outcome for number, outcome in outcomes.items() if outcome in ('killed', 'timed out')}
 
 
@@ -539,7 +538,7 @@ class Kept:
         program = zlib.crc32(Path(tests.program).read_bytes())
         self.file, head = room.folder / 'found-so-far', f'{program} {longest}\n'
         text = self.file.read_text() if self.file.exists() else ''
-        self.room, self.outcomes = room, {}
+        self.outcomes = {}
         if text.startswith(head):
             self.outcomes = {number: outcome for outcome, number, _ in read_found(text)}
         else:
@@ -552,18 +551,18 @@ class Kept:
                 self.add(mutant, before[mutant.number])
 
     def add(self, mutant, outcome):
-        self.out.write(line_of_found(self.room, mutant, outcome))
+        self.out.write(line_of_found(mutant, outcome))
 
 
 def report(room, wanted, found, dropped):
     """Prints the survivors and the figures. Returns 1 if a survivor is not known to be equivalent."""
-    known, text = known_equivalents(room.name), room.lines
+    known = known_equivalents(room.name)
     explained, open_ones, by_file = 0, 0, {}
     for mutant in wanted:
         outcome = found[mutant.number]
         if outcome in ('killed', 'timed out'):
             continue
-        reason = reason_for(key_of(mutant, text[mutant.file]), known)
+        reason = reason_for(mutant.key, known)
         explained += reason is not None
         open_ones += reason is None
         counts = by_file.setdefault(mutant.file, [0, 0])

@@ -53,7 +53,7 @@ class Mutant:
     column: int = 1  # of the operator in its line, counted without the indentation
     is_kept: bool = False  # what is evaluated there once is used again later
     number: int = 0
-    nth: int = 1  # of the mutants of its file that have the same line, column and change
+    key: tuple = ()  # what equivalent.txt knows it by
 
 
 @dataclass

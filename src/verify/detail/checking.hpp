@@ -161,6 +161,10 @@ void check_proof(const Obligation& task);
 /// Whether a name may be bound: a letter or _, then letters, digits, _ and '. Terms and sums are written with names, so
 /// none may look like one.
 bool is_name(std::string_view text);
+/// Such a name. Throws Error where it is none.
+const std::string& name_in(const Field& field);
+/// Whether the letter stands for a word, with or without a value.
+bool is_bound_word(const BoundNames& bound, Symbol letter);
 
 /// The name of a letter, which need not be one of the alphabet: without blanks, controls and quotes, in which it is printed.
 std::string letter_name(const Field& field);

@@ -2,12 +2,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "exact/exact.hpp"
 #include "verify/changed.hpp"
+#include "verify/detail/limit_set.hpp"
 
 namespace {
 
@@ -156,48 +159,358 @@ TEST_CASE("automata of long images are refused before they are made") {
     CHECK(found(7000).starts_with("not checked: automata that read "));
 }
 
-TEST_CASE("what is large or deep ends no checker") {
-    const changed::Json one = changed::Json::parse(R"({"axiom": "a", "tables": [{"a": ["a a"]}]})");
-    changed::Json multiple = changed::Json::parse(
-        R"({"first order": {"exists": ["i"], "holds": {"equation": {"of": {"i": "1"}, "plus": "0"}}}, "system": "G"})");
-    multiple["first order"]["holds"]["equation"]["of"]["i"] = std::string(9'000, '7');
-    CHECK(
-        outcome_of(
+namespace {
+
+const changed::Json& one() {
+    static const changed::Json system =
+        changed::Json::parse(R"({"axiom": "a", "tables": [{"a": ["a a"]}]})");
+    return system;
+}
+
+}  // namespace
+
+TEST_CASE("multiples of more than 300 bits are not worked out again") {
+    const auto found = [](const algae::Integer& times) {
+        changed::Json multiple = changed::Json::parse(
+            R"({"first order": {"exists": ["i"], "holds": {"equation": {"of": {"i": "1"}, "plus": "0"}}}, "system": "G"})");
+        multiple["first order"]["holds"]["equation"]["of"]["i"] = to_string(times);
+        return outcome_of(
             multiple,
             changed::Json::parse(
                 R"({"by": "automata", "addition": {"edges": [[0,0,0,0,0],[0,0,1,1,0],[0,1,0,1,0],[0,1,1,0,1],[1,0,0,1,0],[1,0,0,0,1]], "accepting": [true, false]}})"),
-            one)
-            .starts_with("not checked: multiples of more than 90 digits"));
-    changed::Json names{{"for all", changed::Json::array()},
-                        {"holds", {{"numbers", {"1", "=", "1"}}}}};
-    for (int i = 0; i < 60'000; ++i)
-        names["for all"].push_back(
-            {{"name", "n" + std::to_string(i)}, {"of", "numbers"}, {"up to", 0}});
-    CHECK(outcome_of(names, changed::Json::parse(R"({"by": "cases", "cases": []})"), one) ==
-          "not checked: the instances are not enumerated again: there are more than 100 names");
-    changed::Json powers{{"powers", changed::Json::array()},
-                         {"numbers", {{{"name", "n"}, {"least", 0}}}}};
-    for (int i = 0; i < 40'000; ++i)
-        powers["powers"].push_back(
-            {{"word", "a"},
-             {"exponent",
-              {i == 0 ? changed::Json::parse(R"({"coefficient": 1, "number": "n", "power": 1})")
-                      : changed::Json{{"coefficient", 1}}}}});
-    CHECK(outcome_of({{"equal", {powers, changed::Json::parse(R"({"star": {"words": ["a"]}})")}}},
-                     {{"by", "derivatives"}},
-                     one) == "not checked: more than 5000 languages stand within each other");
-    changed::Json modules = changed::Json::parse(
-        R"({"axiom": [["a"]], "modules": [{"module": ["a"], "successor": []}]})");
-    for (int i = 0; i < 1'001; ++i) modules["modules"][0]["elsewhere"].push_back({"a"});
-    CHECK(outcome_of(changed::Json::parse(R"({"derives": [["a"]], "system": "G", "steps": 0})"),
-                     {{"by", "rewriting"}},
-                     modules) == "error: systems.G.modules[0]: more than 1000 modules around one");
-    CHECK(
-        outcome_of(
+            one());
+    };
+    const algae::Integer most = algae::power(algae::Integer(2), 300);
+    const std::string beyond = "not checked: multiples of more than 90 digits";
+    CHECK_FALSE(found(most - algae::Integer(1)).starts_with(beyond));
+    CHECK(found(most).starts_with(beyond));
+    CHECK(found(algae::Integer(std::string(9'000, '7'))).starts_with(beyond));
+}
+
+TEST_CASE("instances of up to 100 names are enumerated again") {
+    const auto found = [](int count) {
+        changed::Json names{{"for all", changed::Json::array()},
+                            {"holds", {{"numbers", {"1", "=", "1"}}}}};
+        for (int i = 0; i < count; ++i)
+            names["for all"].push_back(
+                {{"name", "n" + std::to_string(i)}, {"of", "numbers"}, {"up to", 0}});
+        return outcome_of(names, changed::Json::parse(R"({"by": "cases", "cases": []})"), one());
+    };
+    const std::string refused =
+        "not checked: the instances are not enumerated again: there are more than 100 names";
+    CHECK(found(100).starts_with("wrong: proof.cases: there is no case for n0 = 0, "));
+    CHECK(found(101) == refused);
+    CHECK(found(20'000) == refused);
+}
+
+TEST_CASE("complements are not enumerated beside one of several names that is a morphism") {
+    CHECK(outcome_of(
+              changed::Json::parse(
+                  R"({"for all": [{"name": "h", "of": "codings"}, {"name": "n", "of": "numbers", "up to": 1}], "holds": {"equal": [{"complement": {"words": ["a"]}}, {"complement": {"words": ["a"]}}]}})"),
+              changed::Json::parse(R"({"by": "cases", "cases": []})"),
+              one()) ==
+          "not checked: the instances are not enumerated again: a complement may be over the "
+          "letters of a morphism");
+}
+
+TEST_CASE("up to 5000 languages stand within each other") {
+    const auto found = [](int count) {
+        changed::Json powers{{"powers", changed::Json::array()},
+                             {"numbers", {{{"name", "n"}, {"least", 0}}}}};
+        for (int i = 0; i < count; ++i)
+            powers["powers"].push_back(
+                {{"word", "a"},
+                 {"exponent",
+                  {i == 0 ? changed::Json::parse(R"({"coefficient": 1, "number": "n", "power": 1})")
+                          : changed::Json{{"coefficient", 1}}}}});
+        algae::Budget budget;
+        budget.memory = 100 << 20;
+        return changed::found(
+                   changed::certificate_of(
+                       {{"alphabet", {"a"}},
+                        {"systems", {{"G", one()}}},
+                        {"statement",
+                         {{"equal",
+                           {powers, changed::Json::parse(R"({"star": {"words": ["a"]}})")}}}},
+                        {"verdict", "proved"},
+                        {"proof", {{"by", "derivatives"}}}}),
+                   budget)
+            .outcome;
+    };
+    const std::string beyond =
+        "not checked: more than 5000 languages stand within each other";
+    CHECK(found(20'000) == beyond);
+    CHECK(found(4'998) == "not checked: the derivatives would take more than the 100 MiB allowed");
+    CHECK(found(4'999) == beyond);
+}
+
+TEST_CASE("up to 1000 modules stand around one in a rule") {
+    const auto found = [](const char* side, int count) {
+        changed::Json modules = changed::Json::parse(
+            R"({"axiom": [["a"]], "modules": [{"module": ["a"], "successor": []}]})");
+        for (int i = 0; i < count; ++i) modules["modules"][0][side].push_back({"a"});
+        return outcome_of(
+            changed::Json::parse(R"({"derives": [["a"]], "system": "G", "steps": 0})"),
+            {{"by", "rewriting"}}, modules);
+    };
+    for (const char* side : {"left", "right", "elsewhere"}) {
+        CHECK(found(side, 1'000) == "checked");
+        CHECK(found(side, 1'001) ==
+              "error: systems.G.modules[0]: more than 1000 modules around one");
+    }
+}
+
+TEST_CASE("an image has up to 100000 words") {
+    const auto found = [](int first, int second) {
+        changed::Json images{{"a", changed::Json::array()}, {"b", changed::Json::array()}};
+        const auto add = [&](const char* letter, int count) {
+            for (int i = 0; i < count; ++i) {
+                std::string word = "a";
+                for (int k = 0; k < 9; ++k) word += i >> k & 1 ? " b" : " a";
+                images[letter].push_back(word);
+            }
+        };
+        add("a", first);
+        add("b", second);
+        return outcome_of(
             changed::Json::parse(
-                R"({"for all": [{"name": "h", "of": "finite substitutions"}], "holds": {"is": "finite", "language": {"image": {"words": ["a a a a a a a a a a a a a a a a a a a a a a"]}, "morphism": "h"}}})"),
+                R"({"for some": [{"name": "h", "of": "finite substitutions"}], "holds": {"is": "finite", "language": {"image": {"words": ["a b"]}, "morphism": "h"}}})"),
+            {{"by", "instance"}, {"values", {{"h", images}}}, {"proof", {{"by", "values"}}}}, one(), {"a", "b"});
+    };
+    CHECK(found(250, 400) == "checked");
+    CHECK(found(251, 400) ==
+          "not checked: an image of more than 100000 words is not checked");
+}
+
+TEST_CASE("words of sequences have up to 50000000 letters together") {
+    changed::Json slow = changed::Json::parse(R"({"axiom": "", "tables": [{}]})");
+    std::vector<std::string> alphabet;
+    std::string word;
+    const auto circle = [&](int size) {
+        for (int i = 0; i < size; ++i) {
+            alphabet.push_back("c" + std::to_string(size) + std::to_string(i));
+            slow["tables"][0][alphabet.back()] = {"c" + std::to_string(size) +
+                                                  std::to_string((i + 1) % size)};
+        }
+        word += "c" + std::to_string(size) + "0 ";
+    };
+    for (const int size : {2, 3, 5, 7, 11}) circle(size);
+    alphabet.push_back("x");
+    for (int i = 0; i < 60'000; ++i) word += i == 0 ? "x" : " x";
+    slow["axiom"] = word;
+    changed::Json certificate = changed::certificate_of(
+        {{"alphabet", alphabet},
+         {"systems", {{"G", slow}, {"H", slow}}},
+         {"statement", {{"equal sequences", {"G", "H"}}}},
+         {"verdict", "proved"},
+         {"proof", {{"by", "lengths"}}}});
+    algae::Budget budget;
+    CHECK(changed::found(certificate, budget).outcome ==
+          "not checked: the words of the sequences are too long");
+    budget.memory = 52 << 20;
+    CHECK(changed::found(certificate, budget).outcome ==
+          "not checked: the words of the sequences would take more than the 52 MiB allowed");
+}
+
+TEST_CASE("up to 1000000 segments of a figure are counted") {
+    changed::Json system = changed::Json::parse(R"({"axiom": "F", "tables": [{"F": ["F F"]}]})");
+    changed::Json certificate = changed::certificate_of(
+        {{"header", changed::Json::parse(R"({"turtles": {"G": {"turn": "1/4", "letters": {"F": "F"}}}})")},
+         {"alphabet", {"F"}},
+         {"systems", {{"G", system}}},
+         {"statement", statement_of_numbers("distinct segments(G, 20)", "1048576")},
+         {"verdict", "proved"},
+         {"proof", {{"by", "values"}}}});
+    CHECK(changed::found(certificate).outcome ==
+          "not checked: more than 1000000 segments are not counted");
+}
+
+TEST_CASE("names of four kinds are bound once") {
+    for (const char* of : {"languages", "D0L systems", "morphisms", "numbers", "words", "letters"}) {
+        changed::Json statement = changed::Json::parse(R"({"for all": [{"name": "x", "of": ""}], "holds": {"for all": [{"name": "x", "of": "numbers"}], "holds": {"numbers": ["1", "=", "1"]}}})");
+        statement["for all"][0]["of"] = of;
+        CHECK(outcome_of(statement, {{"by", "values"}}, one(), {"a", "x"}) ==
+              "error: statements[0].statement.holds.for all[0].name: expected another name, as "
+              "this one is bound already");
+    }
+}
+
+TEST_CASE("characters that steer are written by their numbers") {
+    const auto utf8 = [](unsigned code) {
+        std::string text;
+        if (code < 0x80) {
+            text += static_cast<char>(code);
+        } else if (code < 0x800) {
+            text += static_cast<char>(0xC0 | code >> 6);
+            text += static_cast<char>(0x80 | (code & 63));
+        } else {
+            text += static_cast<char>(0xE0 | code >> 12);
+            text += static_cast<char>(0x80 | (code >> 6 & 63));
+            text += static_cast<char>(0x80 | (code & 63));
+        }
+        return text;
+    };
+    const auto steers = [](unsigned code) {
+        return code < 0x20 || (0x7F <= code && code < 0xA0) || (0x200B <= code && code <= 0x200F) ||
+               (0x2028 <= code && code <= 0x202E) || (0x2060 <= code && code <= 0x206F);
+    };
+    std::size_t count = 0;
+    for (unsigned begin = 1; begin < 0x3100; begin += 50) {
+        std::string name, expected;
+        for (unsigned code = begin; code < begin + 50; ++code) {
+            name += utf8(code) + "x" + utf8(code);
+            std::string number(code < 0x80 ? 10 : 16, ' ');
+            std::snprintf(number.data(), number.size(), code < 0x80 ? "\\x%02x" : "\\u%04x", code);
+            const std::string shown = steers(code) ? number.c_str() : utf8(code);
+            expected += shown + "x" + shown;
+            count += steers(code);
+        }
+        try {
+            algae::verify::check_certificate(changed::Json{{"format", "algae certificate 1"}, {name, 1}}.dump(), "x.json", changed::budget());
+            FAIL("such a field is not known");
+        } catch (const algae::Error& error) {
+            CAPTURE(begin);
+            CHECK((error.what() == "x.json:1: unexpected field '" + expected + "'"));
+        }
+    }
+    CHECK(count == 31 + 33 + 5 + 7 + 16);
+}
+
+namespace {
+
+/// What is said of the dimension of a line F -> FF that has more letters, with changes of the certificate.
+std::string outcome_of_line(const std::vector<std::string>& more,
+                            const std::function<void(changed::Json&)>& change) {
+    changed::Json one = changed::Json::parse(
+        R"({"header": {"turtles": {"G": {"turn": "1/2", "letters": {"F": "F"}}}}, "alphabet": ["F"], "systems": {"G": {"axiom": "F", "tables": [{"F": ["F F"]}]}}, "statement": {"dimension": "G", "equals": "1"}, "verdict": "proved", "proof": {"by": "limit set", "order": 2, "phases": 1, "scale": [[2]], "turn": [["-1"]], "ways": [["F", 0, [1]]], "factor": ["2", "0"]}})");
+    std::string axiom = "F";
+    for (const std::string& letter : more) {
+        one["alphabet"].push_back(letter);
+        one["systems"]["G"]["tables"][0][letter] = {letter};
+        one["proof"]["ways"].push_back({letter, 0, {0}});
+        axiom += " " + letter;
+    }
+    one["systems"]["G"]["axiom"] = axiom;
+    change(one);
+    return changed::found(changed::certificate_of(one)).outcome;
+}
+
+std::vector<std::string> letters(std::size_t count) {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < count; ++i) all.push_back("c" + std::to_string(i));
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("limit sets have up to 24 dimensions, 400 pieces, 3600 directions and 64 phases") {
+    const auto nothing = [](changed::Json&) {};
+    const std::string only_above = "wrong: proof: an upper bound does not show this",
+                      too_many = "not checked: there are too many ",
+                      too_large = "not checked: positions lie in too large a field";
+    CHECK(outcome_of_line({}, nothing) == only_above);
+    CHECK(outcome_of_line(letters(149), nothing) == only_above);
+    CHECK(outcome_of_line(letters(150), nothing) == too_many + "letters and directions");
+    CHECK(outcome_of_line(letters(399), nothing) == too_many + "letters and directions");
+    CHECK(outcome_of_line(letters(400), nothing) == too_many + "pieces");
+    const auto changed_to = [](const char* field, changed::Json value) {
+        return outcome_of_line({}, [&](changed::Json& one) { one["proof"][field] = value; });
+    };
+    CHECK(changed_to("order", 3600) ==
+          "wrong: proof.turn: no numbers are seen on which it acts as a turn");
+    CHECK(changed_to("order", 3601) ==
+          "error: statements[0].proof.order: expected a number from 1 to 3600");
+    CHECK(changed_to("phases", 64) ==
+          "wrong: proof.ways: the way of 'F' does not follow from its successor's");
+    CHECK(changed_to("phases", 65) ==
+          "error: statements[0].proof.phases: expected a number from 1 to 64");
+    CHECK(changed_to("scale", changed::Json::array()) == too_large);
+    CHECK(changed_to("scale", std::vector<changed::Json>(24, {1})) ==
+          "error: statements[0].proof.scale[0]: expected 24 integers in a row");
+    CHECK(changed_to("scale", std::vector<changed::Json>(25, {1})) == too_large);
+}
+
+TEST_CASE("turns of letters come back within 10000 generations") {
+    const auto found = [](int circle) {
+        std::vector<std::string> more = letters(static_cast<std::size_t>(circle));
+        more.insert(more.end(), {"+", "A"});
+        return outcome_of_line(more, [&](changed::Json& one) {
+            changed::Json& table = one["systems"]["G"]["tables"][0];
+            for (int i = 0; i < circle; ++i)
+                table["c" + std::to_string(i)] = {"c" + std::to_string((i + 1) % circle)};
+            table["A"] = {"A +"};
+            one["header"]["turtles"]["G"]["turn"] = "1/73";
+            one["header"]["turtles"]["G"]["letters"]["+"] = "+";
+            one["header"]["turtles"]["G"]["letters"]["c0"] = "+";
+            one["proof"]["order"] = 73;
+        });
+    };
+    CHECK(found(136) ==
+          "wrong: proof.phases: turns do not come back after so many generations");
+    CHECK(found(137) == "not checked: turns do not come back");
+}
+
+TEST_CASE("parts meet in up to 20000 ways") {
+    const auto found = [](int count) {
+        return outcome_of_line({}, [&](changed::Json& one) {
+            one["proof"]["component"] = changed::Json::parse(R"(["F", 0])");
+            one["proof"]["discs"] = changed::Json::parse(R"([["F", 0, "0.5", "0", "0.51"]])");
+            one["proof"]["neighbours"] = changed::Json::array();
+            for (int i = 1; i <= count; ++i)
+                one["proof"]["neighbours"].push_back({"F", "F", 0, 0, {i}});
+        });
+    };
+    CHECK(found(3) == "checked");
+    CHECK(found(20'000) == "checked");
+    CHECK(found(20'001) == "not checked: parts meet in too many ways");
+}
+
+TEST_CASE("the size and letters of a system with context are not known") {
+    const auto found = [](const char* bound) {
+        changed::Json statement = changed::Json::parse(
+            R"({"for some": [{"name": "x", "of": "IL systems"}], "holds": {"numbers": ["1", "=", "1"]}})");
+        if (*bound != 0) statement["for some"][0][bound] = 90;
+        return outcome_of(
+            statement,
             changed::Json::parse(
-                R"({"by": "instance", "values": {"h": {"a": ["", "a"]}}, "proof": {"by": "values"}})"),
-            one)
-            .starts_with("wrong: "));
+                R"({"by": "instance", "values": {"x": {"axiom": "a", "rules": [{"left": "a", "letter": "a", "right": "", "successor": "a a"}]}}, "proof": {"by": "values"}})"),
+            one());
+    };
+    CHECK(found("") == "checked");
+    for (const char* bound : {"size", "length"})
+        CHECK(found(bound) ==
+              "wrong: proof.values.x: the size and letters of a system with context are not known");
+}
+
+TEST_CASE("a letter that never occurs in a value has no rule, and were it the first") {
+    const auto found = [](const char* rules) {
+        changed::Json statement = changed::Json::parse(
+            R"({"for some": [{"name": "x", "of": "0L systems"}], "holds": {"numbers": ["1", "=", "1"]}})");
+        changed::Json proof = changed::Json::parse(R"({"by": "instance", "values": {"x": {"axiom": "b", "tables": []}}, "proof": {"by": "values"}})");
+        proof["values"]["x"]["tables"].push_back(changed::Json::parse(rules));
+        return outcome_of(statement, proof, one(), {"a", "b", "c"});
+    };
+    CHECK(found(R"({"b": ["b b"]})") == "checked");
+    CHECK(found(R"({"b": ["b b"], "a": ["b"]})") ==
+          "wrong: proof.values.x: a letter that never occurs has a rule");
+    CHECK(found(R"({"b": ["b b"], "c": ["b"]})") ==
+          "wrong: proof.values.x: a letter that never occurs has a rule");
+}
+
+TEST_CASE("rates are below a number where weights show it, rounded up") {
+    using algae::Integer;
+    using algae::Rational;
+    using Weights = std::vector<std::uint64_t>;
+    constexpr std::uint64_t none = std::uint64_t{1} << 46;  // more than any image may be
+    const auto below = [](std::uint64_t units, const std::function<std::uint64_t(std::uint64_t)>& image) {
+        return algae::verify::limits::grows_below(
+            1, Rational(Integer(units), Integer(std::uint64_t{1} << 18)),
+            [&](std::size_t, const Weights& weights) { return image(weights[0]); }, {});
+    };
+    CHECK(below((2 << 18) + 300, [](std::uint64_t w) { return 2 * w; }));
+    CHECK_FALSE(below(2 << 18, [](std::uint64_t w) { return 2 * w; }));
+    // The weight becomes 4096 and 2^18 / units, rounded up.
+    CHECK_FALSE(below(3, [&](std::uint64_t w) { return w >= 4096 + 87'382 ? none : 1; }));
+    CHECK(below(3, [&](std::uint64_t w) { return w > 4096 + 87'382 ? none : 1; }));
+    CHECK(below(4, [&](std::uint64_t w) { return w > 4096 + 65'536 ? none : 1; }));
 }

@@ -60,13 +60,18 @@ TEST_CASE("the definitions of a certificate without turtles are its letters and 
         {"left": "", "letter": "b", "right": "a long", "successor": "a"},
         {"left": "a b", "letter": "b", "right": "b", "successor": "b"}]},
       "G": {"axiom": "a", "tables": [{"a": ["a b", "b"], "long": [""]}]},
-      "T": {"axiom": "", "tables": [{"b": ["a", "b", "b b"]}, {}]}
+      "M": {"axiom": [["a"]], "modules": [{"module": ["a"], "successor": [], "elsewhere": [["b"], ["c", "x"]]}]},
+      "T": {"axiom": "", "tables": [{"b": ["a", "b", "b b"]}, {}]},
+      "k-1.2": {"axiom": "a", "tables": [{"a": ["b"]}]},
+      "k 1": {"axiom": "a", "tables": [{"a": ["b"]}]}
     })");
     CHECK(definitions_of(without_statements({"a", "b", "long"}, systems)) ==
           std::vector<std::string>{
               "letters a b 'long'",
               "C: axiom ab; a -> b; b < a -> ε; b > a'long' -> a; ab < b > b -> b",
-              "G: axiom a; a -> ab | b; 'long' -> ε", "T: axiom ε; table; b -> a | b | bb; table"});
+              "G: axiom a; a -> ab | b; 'long' -> ε", "T: axiom ε; table; b -> a | b | bb; table",
+              "'k 1': axiom a; a -> b", "k-1.2: axiom a; a -> b",
+              "M: axiom a; a elsewhere bc(x) -> ε"});
     CHECK(definitions_of(without_statements(Json::array(), Json::object())) ==
           std::vector<std::string>{"no letters"});
     CHECK(definitions_of(without_statements({"b"}, Json::object())) ==

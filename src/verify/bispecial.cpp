@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -344,7 +342,9 @@ private:
         }
     }
 
-    /// The circles of types that matter: each leads to one type of it, and to no other circle.
+    /// The circles of types that matter. Of a type on a circle one type comes that matters, and no other: two letters on the left of a factor with
+    /// two on the right of it go over into those of one factor, and those of what comes of it are all such, so in a circle none are left for
+    /// another one.
     void find_circles() {
         for (std::size_t i = 0; i < types_.size(); ++i) {
             task_.budget.check();
@@ -360,51 +360,25 @@ private:
             if (!found.contains(i)) continue;
             std::size_t steps = 0;
             for (std::size_t at = i; steps == 0 || at != i; ++steps) {
-                if (steps > types_.size()) not_one_circle();
                 types_[at].circle = i;
-                at = next_on_circle(at, found, i);
+                at = next_on_circle(at).first;
             }
             steps_ = std::lcm(steps_, steps);
             expect_small(steps_, "steps round a circle of groups");
         }
     }
-    [[noreturn]] static void not_one_circle() {
-        throw BoundReached(Bound::method, "circles of groups that meet are not judged");
-    }
-    /// Of a type on a circle through i, from which these are reached, the next one.
-    std::size_t next_on_circle(std::size_t at, const std::set<std::size_t>& reached,
-                               std::size_t i) const {
-        std::size_t found = none;
-        for (const auto& [to, added] : types_[at].next) {
-            if (!types_[to].matters || !reached.contains(to) || !leads(to, i)) continue;
-            if (found != none) not_one_circle();
-            found = to;
-        }
-        return found;
-    }
-    bool leads(std::size_t from, std::size_t to) const {
-        std::set<std::size_t> found{from};
-        std::vector<std::size_t> open{from};
-        while (!open.empty()) {
-            task_.budget.check();
-            const std::size_t at = open.back();
-            open.pop_back();
-            if (at == to) return true;
-            for (const auto& [next, added] : types_[at].next)
-                if (types_[next].matters && found.insert(next).second) open.push_back(next);
-        }
-        return false;
+    /// The only type that comes of one on a circle and matters, and what is added.
+    const std::pair<std::size_t, Numbers>& next_on_circle(std::size_t at) const {
+        const std::pair<std::size_t, Numbers>* found = nullptr;
+        for (const auto& one : types_[at].next)
+            if (types_[one.first].matters) {
+                if (found)
+                    throw BoundReached(Bound::method, "circles of groups that meet are not judged");
+                found = &one;
+            }
+        return *found;
     }
 
-    /// The sums of what comes of a group, in a fixed order. Where it comes to a circle, that is gone round for ever.
-    void collect(std::size_t at, const Numbers& numbers, Sums& found) const {
-        task_.budget.check();
-        if (!types_[at].matters) return;
-        if (types_[at].circle != none) not_one_circle();
-        collect_here(at, numbers, found);
-        for (const auto& [to, added] : types_[at].next)
-            collect(to, image(cuts_[above(types_[at].level)], numbers) + added, found);
-    }
     void collect_here(std::size_t at, const Numbers& numbers, Sums& found) const {
         for (const auto& [added, sum] : types_[at].ends)
             found.emplace_back(length(types_[at].level, numbers, added), sum);
@@ -433,15 +407,9 @@ private:
             Sums found;
             for (std::size_t step = 0; step < steps_; ++step) {
                 collect_here(at, numbers, found);
-                std::optional<std::pair<std::size_t, Numbers>> next;
-                for (const auto& [to, added] : types_[at].next) {
-                    Numbers here = image(cuts_[above(types_[at].level)], numbers) + added;
-                    if (types_[to].circle == types_[at].circle)
-                        next.emplace(to, std::move(here));
-                    else
-                        collect(to, here, found);
-                }
-                std::tie(at, numbers) = std::move(*next);
+                const auto& [to, added] = next_on_circle(at);
+                numbers = image(cuts_[above(types_[at].level)], numbers) + added;
+                at = to;
             }
             own.resize(found.size());
             for (std::size_t k = 0; k < found.size(); ++k) {

@@ -387,8 +387,8 @@ std::string plain(std::string_view text) {
                         ? third >= 0x8B && third <= 0xAE && (third < 0x90 || third > 0xA7)
                         : at(i + 1) == 0x81 && third >= 0xA0 && third <= 0xAF)) {
             const unsigned code = (at(i + 1) & 0x3FU) << 6 | (third & 0x3FU);  // of U+2000 and more
-            all += "\\u2";
-            for (const unsigned shift : {8U, 4U, 0U}) all += digits[code >> shift & 15];
+            all += "\\u20";
+            for (const unsigned shift : {4U, 0U}) all += digits[code >> shift & 15];
             i += 2;
         } else {
             all += text[i];

@@ -374,10 +374,10 @@ private:
         if (std::find(is_partly.begin(), is_partly.end(), false) == is_partly.end())
             places_.task.refuse("the set has no inner points");
         Graph found(covers_.size());
-        for (std::size_t k = 0; k < covers_.size(); ++k)
-            if (is_partly[k])
+        for (std::size_t k = covers_.size(); k-- > 0;)
+            if (is_partly[k])  // what comes of others comes to an end
                 for (const std::size_t next : covers_[k])
-                    if (next != nothing && is_partly[next]) found[k].push_back(next);
+                    if (next != nothing) found[k].push_back(next);
         return found;
     }
 

@@ -248,7 +248,6 @@ public:
         c_ = field_.difference(field_.root(), field_.number(1));
         if (field_.sign(c_) < 0) task.refuse("the exponent is below 1");
         least_ = field_.enclosure(c_, 128).lower();
-        if (least_ < Rational(0)) least_ = 0;
     }
 
     /// Throws Flaw unless the number is the critical exponent.

@@ -21,11 +21,12 @@ changed::Json statement_of_numbers(const std::string& left, const std::string& r
 /// What is said of a statement with its proof, about a system G.
 std::string outcome_of(const changed::Json& statement, const changed::Json& proof,
                        const changed::Json& system,
-                       const std::vector<std::string>& alphabet = {"a"}) {
+                       const std::vector<std::string>& alphabet = {"a"},
+                       const char* verdict = "proved") {
     return changed::found(changed::certificate_of({{"alphabet", alphabet},
                                                    {"systems", {{"G", system}}},
                                                    {"statement", statement},
-                                                   {"verdict", "proved"},
+                                                   {"verdict", verdict},
                                                    {"proof", proof}}))
         .outcome;
 }
@@ -204,13 +205,13 @@ TEST_CASE("instances of up to 100 names are enumerated again") {
 }
 
 TEST_CASE("complements are not enumerated beside one of several names that is a morphism") {
-    CHECK(outcome_of(
-              changed::Json::parse(
-                  R"({"for all": [{"name": "h", "of": "codings"}, {"name": "n", "of": "numbers", "up to": 1}], "holds": {"equal": [{"complement": {"words": ["a"]}}, {"complement": {"words": ["a"]}}]}})"),
-              changed::Json::parse(R"({"by": "cases", "cases": []})"),
-              one()) ==
-          "not checked: the instances are not enumerated again: a complement may be over the "
-          "letters of a morphism");
+    CHECK(
+        outcome_of(
+            changed::Json::parse(
+                R"({"for all": [{"name": "h", "of": "codings"}, {"name": "n", "of": "numbers", "up to": 1}], "holds": {"equal": [{"complement": {"words": ["a"]}}, {"complement": {"words": ["a"]}}]}})"),
+            changed::Json::parse(R"({"by": "cases", "cases": []})"), one()) ==
+        "not checked: the instances are not enumerated again: a complement may be over the "
+        "letters of a morphism");
 }
 
 TEST_CASE("up to 5000 languages stand within each other") {
@@ -237,8 +238,7 @@ TEST_CASE("up to 5000 languages stand within each other") {
                    budget)
             .outcome;
     };
-    const std::string beyond =
-        "not checked: more than 5000 languages stand within each other";
+    const std::string beyond = "not checked: more than 5000 languages stand within each other";
     CHECK(found(20'000) == beyond);
     CHECK(found(4'998) == "not checked: the derivatives would take more than the 100 MiB allowed");
     CHECK(found(4'999) == beyond);
@@ -266,7 +266,7 @@ TEST_CASE("an image has up to 100000 words") {
         const auto add = [&](const char* letter, int count) {
             for (int i = 0; i < count; ++i) {
                 std::string word = "a";
-                for (int k = 0; k < 9; ++k) word += i >> k & 1 ? " b" : " a";
+                for (int k = 0; k < 14; ++k) word += i >> k & 1 ? " b" : " a";
                 images[letter].push_back(word);
             }
         };
@@ -275,11 +275,11 @@ TEST_CASE("an image has up to 100000 words") {
         return outcome_of(
             changed::Json::parse(
                 R"({"for some": [{"name": "h", "of": "finite substitutions"}], "holds": {"is": "finite", "language": {"image": {"words": ["a b"]}, "morphism": "h"}}})"),
-            {{"by", "instance"}, {"values", {{"h", images}}}, {"proof", {{"by", "values"}}}}, one(), {"a", "b"});
+            {{"by", "instance"}, {"values", {{"h", images}}}, {"proof", {{"by", "values"}}}}, one(),
+            {"a", "b"});
     };
     CHECK(found(250, 400) == "checked");
-    CHECK(found(251, 400) ==
-          "not checked: an image of more than 100000 words is not checked");
+    CHECK(found(11, 9'091) == "not checked: an image of more than 100000 words is not checked");
 }
 
 TEST_CASE("words of sequences have up to 50000000 letters together") {
@@ -298,12 +298,12 @@ TEST_CASE("words of sequences have up to 50000000 letters together") {
     alphabet.push_back("x");
     for (int i = 0; i < 60'000; ++i) word += i == 0 ? "x" : " x";
     slow["axiom"] = word;
-    changed::Json certificate = changed::certificate_of(
-        {{"alphabet", alphabet},
-         {"systems", {{"G", slow}, {"H", slow}}},
-         {"statement", {{"equal sequences", {"G", "H"}}}},
-         {"verdict", "proved"},
-         {"proof", {{"by", "lengths"}}}});
+    changed::Json certificate =
+        changed::certificate_of({{"alphabet", alphabet},
+                                 {"systems", {{"G", slow}, {"H", slow}}},
+                                 {"statement", {{"equal sequences", {"G", "H"}}}},
+                                 {"verdict", "proved"},
+                                 {"proof", {{"by", "lengths"}}}});
     algae::Budget budget;
     CHECK(changed::found(certificate, budget).outcome ==
           "not checked: the words of the sequences are too long");
@@ -315,7 +315,8 @@ TEST_CASE("words of sequences have up to 50000000 letters together") {
 TEST_CASE("up to 1000000 segments of a figure are counted") {
     changed::Json system = changed::Json::parse(R"({"axiom": "F", "tables": [{"F": ["F F"]}]})");
     changed::Json certificate = changed::certificate_of(
-        {{"header", changed::Json::parse(R"({"turtles": {"G": {"turn": "1/4", "letters": {"F": "F"}}}})")},
+        {{"header",
+          changed::Json::parse(R"({"turtles": {"G": {"turn": "1/4", "letters": {"F": "F"}}}})")},
          {"alphabet", {"F"}},
          {"systems", {{"G", system}}},
          {"statement", statement_of_numbers("distinct segments(G, 20)", "1048576")},
@@ -326,8 +327,10 @@ TEST_CASE("up to 1000000 segments of a figure are counted") {
 }
 
 TEST_CASE("names of four kinds are bound once") {
-    for (const char* of : {"languages", "D0L systems", "morphisms", "numbers", "words", "letters"}) {
-        changed::Json statement = changed::Json::parse(R"({"for all": [{"name": "x", "of": ""}], "holds": {"for all": [{"name": "x", "of": "numbers"}], "holds": {"numbers": ["1", "=", "1"]}}})");
+    for (const char* of :
+         {"languages", "D0L systems", "morphisms", "numbers", "words", "letters"}) {
+        changed::Json statement = changed::Json::parse(
+            R"({"for all": [{"name": "x", "of": ""}], "holds": {"for all": [{"name": "x", "of": "numbers"}], "holds": {"numbers": ["1", "=", "1"]}}})");
         statement["for all"][0]["of"] = of;
         CHECK(outcome_of(statement, {{"by", "values"}}, one(), {"a", "x"}) ==
               "error: statements[0].statement.holds.for all[0].name: expected another name, as "
@@ -366,7 +369,9 @@ TEST_CASE("characters that steer are written by their numbers") {
             count += steers(code);
         }
         try {
-            algae::verify::check_certificate(changed::Json{{"format", "algae certificate 1"}, {name, 1}}.dump(), "x.json", changed::budget());
+            algae::verify::check_certificate(
+                changed::Json{{"format", "algae certificate 1"}, {name, 1}}.dump(), "x.json",
+                changed::budget());
             FAIL("such a field is not known");
         } catch (const algae::Error& error) {
             CAPTURE(begin);
@@ -445,8 +450,7 @@ TEST_CASE("turns of letters come back within 10000 generations") {
             one["proof"]["order"] = 73;
         });
     };
-    CHECK(found(136) ==
-          "wrong: proof.phases: turns do not come back after so many generations");
+    CHECK(found(136) == "wrong: proof.phases: turns do not come back after so many generations");
     CHECK(found(137) == "not checked: turns do not come back");
 }
 
@@ -486,7 +490,8 @@ TEST_CASE("a letter that never occurs in a value has no rule, and were it the fi
     const auto found = [](const char* rules) {
         changed::Json statement = changed::Json::parse(
             R"({"for some": [{"name": "x", "of": "0L systems"}], "holds": {"numbers": ["1", "=", "1"]}})");
-        changed::Json proof = changed::Json::parse(R"({"by": "instance", "values": {"x": {"axiom": "b", "tables": []}}, "proof": {"by": "values"}})");
+        changed::Json proof = changed::Json::parse(
+            R"({"by": "instance", "values": {"x": {"axiom": "b", "tables": []}}, "proof": {"by": "values"}})");
         proof["values"]["x"]["tables"].push_back(changed::Json::parse(rules));
         return outcome_of(statement, proof, one(), {"a", "b", "c"});
     };
@@ -502,7 +507,8 @@ TEST_CASE("rates are below a number where weights show it, rounded up") {
     using algae::Rational;
     using Weights = std::vector<std::uint64_t>;
     constexpr std::uint64_t none = std::uint64_t{1} << 46;  // more than any image may be
-    const auto below = [](std::uint64_t units, const std::function<std::uint64_t(std::uint64_t)>& image) {
+    const auto below = [](std::uint64_t units,
+                          const std::function<std::uint64_t(std::uint64_t)>& image) {
         return algae::verify::limits::grows_below(
             1, Rational(Integer(units), Integer(std::uint64_t{1} << 18)),
             [&](std::size_t, const Weights& weights) { return image(weights[0]); }, {});
@@ -513,4 +519,79 @@ TEST_CASE("rates are below a number where weights show it, rounded up") {
     CHECK_FALSE(below(3, [&](std::uint64_t w) { return w >= 4096 + 87'382 ? none : 1; }));
     CHECK(below(3, [&](std::uint64_t w) { return w > 4096 + 87'382 ? none : 1; }));
     CHECK(below(4, [&](std::uint64_t w) { return w > 4096 + 65'536 ? none : 1; }));
+}
+
+TEST_CASE("words of up to 10000000 letters are compared") {
+    const auto found = [](const char* axiom) {
+        changed::Json statement = changed::Json::parse(
+            R"({"words": [[{"system": "G", "generation": "7"}], "==", [{"system": "G", "generation": "7"}]]})");
+        changed::Json system = changed::Json::parse(
+            R"({"axiom": "", "tables": [{"a": ["a a a a a a a a a a"], "b": ["b"]}]})");
+        system["axiom"] = axiom;
+        return outcome_of(statement, {{"by", "words"}}, system, {"a", "b"});
+    };
+    CHECK(found("a") == "checked");
+    CHECK(found("b a") == "not checked: a word has more than 10000000 letters");
+}
+
+TEST_CASE("recurrences have up to 5000 terms, and 50000 values are compared") {
+    const auto found = [](const char* left) {
+        changed::Json statement = changed::Json::parse(
+            R"({"for all": [{"name": "n", "of": "numbers"}, {"name": "m", "of": "numbers"}], "holds": {"numbers": ["", "=", "2"]}})");
+        statement["holds"]["numbers"][0] = left;
+        return outcome_of(statement, {{"by", "recurrences"}}, one());
+    };
+    CHECK(found("n^999+n^999+n^999+n^999+n^999") ==
+          "wrong: proof: both sides differ for m = 0, n = 0");
+    CHECK(found("n^999+n^999+n^999+n^999+n^999+1") ==
+          "not checked: a term has a recurrence of more than 5000 terms");
+    CHECK(found("n^198*m^248") == "wrong: proof: both sides differ for m = 0, n = 0");
+    CHECK(found("n^19*m^19*m^118") ==
+          "not checked: it would take more than 50000 values of the numbers");
+}
+
+TEST_CASE("words that are derived with contexts have up to 50000000 letters together") {
+    // c becomes all words over a and b, with 20000 letters before it.
+    changed::Json system = changed::Json::parse(
+        R"({"axiom": "", "rules": [{"left": "", "letter": "c", "right": "", "successor": "a c"}, {"left": "", "letter": "c", "right": "", "successor": "b c"}, {"left": "c", "letter": "c", "right": "", "successor": ""}]})");
+    std::string axiom;
+    for (int i = 0; i < 20'000; ++i) axiom += "a ";
+    system["axiom"] = axiom + "c";
+    const auto found = [&](const char* statement) {
+        changed::Json certificate =
+            changed::certificate_of({{"alphabet", {"a", "b", "c"}},
+                                     {"systems", {{"G", system}}},
+                                     {"statement", changed::Json::parse(statement)},
+                                     {"verdict", "refuted"},
+                                     {"proof", {{"by", "exhausted"}}}});
+        return changed::found(certificate, {}).outcome;
+    };
+    const std::string refused = "not checked: the words derived are too long or too many";
+    CHECK(found(R"({"derives": "b", "system": "G"})") == refused);
+    CHECK(found(R"({"derives": "b", "system": "G", "steps": 100})") == refused);
+}
+
+TEST_CASE("a word is kept out by an automaton, or all letters are terminals") {
+    const auto found = [](const char* system, const char* proof) {
+        return outcome_of(changed::Json::parse(R"({"derives": "b", "system": "G"})"),
+                          changed::Json::parse(proof), changed::Json::parse(system), {"a", "b"},
+                          "refuted");
+    };
+    const char* const all = R"({"axiom": "a", "tables": [{"a": ["a a"]}]})";
+    const char* const terminals = R"({"axiom": "a", "tables": [{"a": ["a a"]}], "terminals": "a"})";
+    const char* const without = R"({"by": "invariant", "automata": {}})";
+    const char* const with =
+        R"({"by": "invariant", "automata": {"G": {"accepting": [1], "moves": [{"from": 0, "letter": "a", "to": 1}, {"from": 1, "letter": "a", "to": 1}]}}})";
+    const char* const context =
+        R"({"axiom": "a", "rules": [{"left": "", "letter": "a", "right": "", "successor": "a a"}]})";
+    CHECK(found(all, with) == "wrong: proof.automata.G: the system has no context");
+    CHECK(found(all, without) == "checked");
+    CHECK(found(terminals, without) ==
+          "wrong: proof: the system has letters that are no terminals, and no automaton");
+    CHECK(found(context, with) == "checked");
+    CHECK(found(context, without) ==
+          "not checked: the words take more than a sixteenth of the 256 MiB allowed");
+    CHECK(outcome_of(changed::Json::parse(R"({"derives": "a a a", "system": "G"})"),
+                     changed::Json::parse(with), changed::Json::parse(context), {"a", "b"},
+                     "refuted") == "wrong: proof: the automata do not keep the word out");
 }

@@ -8,7 +8,9 @@
 #include <complex>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <random>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -87,29 +89,36 @@ struct Fixture {
         const Integer count(std::uint64_t{whole.parts.size()});
         set.components = {
             {{0}, Operand{count, 1, {}, [count](long bits) { return Ball(count, bits); }}}};
-        find_disc();
+        std::tie(centre, radius) = disc(0, whole.parts);
         places = std::make_unique<Places>(Places{*task, set, {}});
     }
 
-    void find_disc() {
+    /// Finds a disc that holds the piece, in thousandths.
+    std::pair<Complex, double> disc(std::size_t piece, const std::vector<Part>& parts) {
         Complex offsets, turns;
-        for (const Part& part : whole.parts) {
+        for (const Part& part : parts) {
             offsets += value(part.x, part.y);
             turns += turn(part.heading);
         }
-        const auto count = static_cast<double>(whole.parts.size());
-        centre = offsets / count / (mu - turns / count);
-        centre = {std::round(centre.real() * 1000) / 1000, std::round(centre.imag() * 1000) / 1000};
-        for (const Part& part : whole.parts)
-            radius = std::max(radius, std::abs(turn(part.heading) * centre +
-                                               value(part.x, part.y) - mu * centre));
-        radius = std::ceil(radius / (std::abs(mu) - 1) * 1000) / 1000;
+        const auto count = static_cast<double>(parts.size());
+        Complex middle = offsets / count / (mu - turns / count);
+        middle = {std::round(middle.real() * 1000) / 1000, std::round(middle.imag() * 1000) / 1000};
+        double farthest = 0;
+        for (const Part& part : parts)
+            farthest = std::max(farthest, std::abs(turn(part.heading) * middle +
+                                                   value(part.x, part.y) - mu * middle));
+        farthest = std::ceil(farthest / (std::abs(mu) - 1) * 1000) / 1000;
         const auto thousandths = [](double x) {
             return Rational(Integer(static_cast<long>(std::lround(x * 1000))), Integer(1000));
         };
-        set.discs.emplace(0, Disc{number(thousandths(centre.real()), thousandths(centre.imag())),
-                                  Ball(thousandths(radius), bits)});
+        set.discs.emplace(piece,
+                          Disc{number(thousandths(middle.real()), thousandths(middle.imag())),
+                               Ball(thousandths(farthest), bits)});
+        return {middle, farthest};
     }
+
+    /// The rate of the boundary's cells.
+    double boundary() const { return rate_of_boundary(*places).enclose(64).midpoint(); }
 
     /// Whether k/100000 is shown to lie below the dimension.
     bool is_shown(long k, std::uint64_t levels, std::uint64_t across) const {
@@ -145,9 +154,8 @@ public:
             const double y = std::round(one.second.imag() / of.zeta.imag());
             return std::tuple(one.first, std::round(one.second.real() - y * of.zeta.real()), y);
         };
-        std::sort(block_.begin(), block_.end(), [&](const auto& left, const auto& right) {
-            return order(left) < order(right);
-        });
+        std::sort(block_.begin(), block_.end(),
+                  [&](const auto& left, const auto& right) { return order(left) < order(right); });
         stretch_ = std::pow(of.mu, levels);
         const double reach = 2 * of.radius + 0.001;
         half_ = reach / across;
@@ -203,9 +211,8 @@ private:
         auto& steps = steps_.emplace_back();
         for (const auto& first : block_)
             for (const auto& [turn, other] : block_) {
-                const auto [to, at] =
-                    seen(first, (heading + turn) % of_.whole.order, of_.turn(heading) * other,
-                         stretch_ * place);
+                const auto [to, at] = seen(first, (heading + turn) % of_.whole.order,
+                                           of_.turn(heading) * other, stretch_ * place);
                 std::vector<std::size_t> targets;
                 meet(to, at, half_ * std::abs(stretch_),
                      std::arg(stretch_ * of_.turn(-first.first)),
@@ -302,8 +309,7 @@ TEST_CASE("pairs in cells: four parts that are turned") {
 }
 
 TEST_CASE("pairs in cells: parts that coincide") {
-    expect_shown({4, 2, 1, {{0, 0, 0}, {1, 1, 0}, {2, 1, 1}, {0, 0, 0}}},
-                 {{1, 8, 41823}});
+    expect_shown({4, 2, 1, {{0, 0, 0}, {1, 1, 0}, {2, 1, 1}, {0, 0, 0}}}, {{1, 8, 41823}});
 }
 
 TEST_CASE("pairs in cells: parts that coincide by two levels") {
@@ -312,7 +318,9 @@ TEST_CASE("pairs in cells: parts that coincide by two levels") {
 
 TEST_CASE("pairs in cells: random parts" * doctest::test_suite("long")) {
     std::mt19937 generator(3);
-    const auto below = [&](int bound) { return static_cast<int>(generator() % static_cast<unsigned>(bound)); };
+    const auto below = [&](int bound) {
+        return static_cast<int>(generator() % static_cast<unsigned>(bound));
+    };
     std::size_t sets = 0, refused = 0;
     while (sets < 100) {
         Whole whole{below(2) == 0 ? 4 : 6, 1 + below(3), below(3), {}};
@@ -339,4 +347,91 @@ TEST_CASE("pairs in cells: random parts" * doctest::test_suite("long")) {
         }
     }
     MESSAGE(sets, " sets of parts, ", refused, " refused");
+}
+
+namespace {
+
+/// The rate of the boundary's cells of a tile without turns, as counted: places of parts of a late level, beside one that is none.
+double counted_boundary(const Whole& tile) {
+    std::set<std::pair<long, long>> places{{0, 0}};
+    std::vector<double> counts;
+    while (places.size() < 20'000) {
+        std::set<std::pair<long, long>> next;
+        for (const auto& [x, y] : places)
+            for (const Part& part :
+                 tile.parts)  // times mu, where the square of zeta is -1 or zeta - 1
+                next.emplace(
+                    x * tile.mu_x - y * tile.mu_y + part.x,
+                    x * tile.mu_y + y * (tile.mu_x + (tile.order == 6 ? tile.mu_y : 0)) + part.y);
+        places = std::move(next);
+        double beside = 0;
+        for (const auto& [x, y] : places)
+            for (const auto& [i, j] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+                beside += !places.contains({x + i, y + j});
+        counts.push_back(beside);
+    }
+    return std::pow(counts.back() / counts[counts.size() - 5], 0.25);
+}
+
+}  // namespace
+
+TEST_CASE("the boundary of a tile has as many cells as are counted") {
+    const Whole square{4, 2, 0, {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}}},
+        rough{4, 2, 0, {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, -1}}},
+        twin{4, 1, 1, {{0, 0, 0}, {0, 1, 0}}}, three{6, 1, 1, {{0, 0, 0}, {0, 1, 0}, {0, -1, 0}}},
+        far{4, 2, 0, {{0, 0, 0}, {0, 3, 0}, {0, 0, 1}, {0, 1, 1}}},
+        five{4, 2, 1, {{0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}},
+        seven{6,
+              2,
+              1,
+              {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 1}, {0, -1, 0}, {0, 0, -1}, {0, 1, -1}}};
+    for (const Whole& tile : {square, rough, twin, three, far, five, seven}) {
+        CAPTURE(tile.mu_x);
+        CAPTURE(tile.parts.size());
+        CHECK(Fixture(tile).boundary() == doctest::Approx(counted_boundary(tile)).epsilon(0.005));
+    }
+    // A smooth tile, and a rough one five places beside it.
+    Fixture two(square);
+    two.set.letters = 2;
+    for (const Part& part : rough.parts)
+        two.set.parts[1].push_back({1, part.heading, {Integer(part.x), Integer(part.y)}});
+    two.disc(1, rough.parts);
+    for (const auto& [x, y] : {std::pair(5, 0), {0, 5}, {-5, 0}, {0, -5}, {7, 7}}) {
+        two.set.axiom = {{0, 0, Row(2)}, {1, 0, {Integer(x), Integer(y)}}};
+        CHECK(two.boundary() == doctest::Approx(3));
+    }
+}
+
+TEST_CASE("the boundary of random tiles has as many cells as are counted" *
+          doctest::test_suite("long")) {
+    std::mt19937 generator(5);
+    const auto around = [&] { return static_cast<long>(generator() % 3) - 1; };
+    double largest = 0;
+    std::size_t tiles = 0, too_large = 0;
+    while (tiles < 40) {
+        Whole tile{4, 2, 0, {{0, 0, 0}}};
+        for (const auto& [x, y] : {std::pair(1, 0), {0, 1}, {1, 1}})
+            tile.parts.push_back({0, x + 2 * around(), y + 2 * around()});
+        long index = 0;  // of the lattice that they make
+        for (const Part& one : tile.parts)
+            for (const Part& other : tile.parts)
+                index = std::gcd(index, one.x * other.y - one.y * other.x);
+        if (index != 1) continue;
+        double found = 0;
+        try {
+            found = Fixture(tile).boundary();
+        } catch (const BoundReached&) {
+            ++too_large;
+            continue;
+        }
+        std::string text;
+        for (const Part& part : tile.parts)
+            text += " (" + std::to_string(part.x) + ", " + std::to_string(part.y) + ")";
+        CAPTURE(text);
+        CHECK(found == doctest::Approx(counted_boundary(tile)).epsilon(0.03));
+        largest = std::max(largest, found);
+        ++tiles;
+    }
+    MESSAGE(tiles, " tiles, the largest rate is ", largest, "; ", too_large, " refused");
+    CHECK(largest > 3);
 }

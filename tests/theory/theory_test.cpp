@@ -76,21 +76,33 @@ TEST_CASE("more claims of the theory are decided in all their parts than cited")
 
 TEST_CASE("certificates of the theory hold; finite refutations are checked to the last") {
     using verify::Finding;
+    const auto is_by_cases = [](const CheckedClaim& checked, std::size_t i) {
+        const auto proof =
+            algae::certificate(checked.statements[i].answer, *checked.claim.alphabet);
+        return !proof.is_null() && proof.at("by") == "cases";
+    };
+    std::size_t by_cases = 0;
     for (const CheckedClaim& checked : theory()) {
-        Budget budget;  // what takes longer is not checked, which no test here is about
-        budget.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(3);
+        std::vector<bool> expected;
+        for (std::size_t i = 0; i < checked.statements.size(); ++i)
+            expected.push_back(is_by_cases(checked, i));
+        const auto count = std::count(expected.begin(), expected.end(), true);
+        Budget budget;  // what else takes longer is not checked, which no test here is about
+        if (count == 0)
+            budget.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(3);
         const auto findings =
             verify::check_certificate(certificate(checked).dump(1), checked.claim.name, budget);
         REQUIRE(findings.size() == checked.statements.size());
         for (std::size_t i = 0; i < findings.size(); ++i) {
             CHECK_MESSAGE(findings[i].outcome != Finding::Outcome::wrong, checked.claim.name, ": ",
                           findings[i].statement, ": ", findings[i].reason);
-            const auto proof =
-                algae::certificate(checked.statements[i].answer, *checked.claim.alphabet);
-            if (!proof.is_null() && proof.at("by") == "cases")
-                CHECK(findings[i].outcome == Finding::Outcome::checked);
+            if (expected[i])
+                CHECK_MESSAGE(findings[i].outcome == Finding::Outcome::checked, checked.claim.name,
+                              ": ", findings[i].statement, ": ", findings[i].reason);
         }
+        by_cases += static_cast<std::size_t>(count);
     }
+    CHECK(by_cases > 0);
 }
 
 TEST_CASE("every cell of the table of closure is settled by one claim") {

@@ -316,6 +316,27 @@ TEST_CASE("pairs in cells: parts that coincide by two levels") {
     expect_shown({4, 2, 1, {{0, 0, 0}, {1, 1, 0}, {2, 1, 1}, {0, 0, 0}}}, {{2, 6, 41076}});
 }
 
+TEST_CASE("pairs in cells: two parts that overlap, far from the first") {
+    const Whole whole{4, 4, 0, {{0, 0, 0}, {0, 9, 0}, {1, 10, 0}}};
+    expect_shown(whole, {{1, 6, 54375}});
+}
+
+TEST_CASE("pairs in cells: parts that lie farther apart than places are known") {
+    expect_shown({4, 10, 0, {{0, 0, 0}, {0, 180, 0}}}, {{1, 6, 30102}});
+}
+
+TEST_CASE("blocks of two levels of pieces in turn do not all lead to each other") {
+    Fixture made({4, 2, 0, {{0, 0, 0}, {0, 1, 0}}});
+    made.set.letters = 2;
+    made.set.parts[1] = made.set.parts[0];
+    for (Seen& part : made.set.parts[0]) part.piece = 1;
+    made.set.components.front().pieces = {0, 1};
+    const Parts parts(*made.places, made.set.components.front());
+    CHECK(rate_of_blocks(parts, 1, made.budget).enclose(64).midpoint() == doctest::Approx(2));
+    CHECK_THROWS_WITH_AS(rate_of_blocks(parts, 2, made.budget),
+                         "pieces do not all lead to each other in blocks of levels", BoundReached);
+}
+
 TEST_CASE("pairs in cells: random parts" * doctest::test_suite("long")) {
     std::mt19937 generator(3);
     const auto below = [&](int bound) {

@@ -204,3 +204,26 @@ TEST_CASE("a sample of a census has proofs that verify checks") {
                   .statements.size() == 2 * instances);
     }
 }
+
+TEST_CASE("a line of a census says every count of its chunk") {
+    for (const std::uint64_t count : {0u, 1u, 2u}) {
+        CensusChunk chunk;
+        chunk.open = count;
+        chunk.infinite = count;
+        CHECK(census_chunk(census_line(chunk)) == chunk);
+    }
+}
+
+TEST_CASE("deterministic systems that are only counted make one chunk of each size") {
+    const Asked asked("D0L systems up to size 6", "L(X) is 0L");
+    CensusOptions options;
+    options.chunk = 1;
+    CensusTotals counted(6, 0, options), visited = asked.none(options);
+    std::size_t chunks = 0;
+    options.on_chunk = [&](const CensusChunk&) { ++chunks; };
+    take_census(*asked.said, {}, asked.claim, options, counted);
+    CHECK(chunks == 6);
+    take_census(*asked.said, asked.properties, asked.claim, options, visited);
+    for (std::size_t i = 0; i < 6; ++i)
+        CHECK(counted.census().rows[i].instances == visited.census().rows[i].instances);
+}

@@ -102,3 +102,11 @@ TEST_CASE("operations of E0L refuse several tables") {
     CHECK_THROWS_WITH_AS(e0l_star(two), "star needs an E0L system: expected one table, found 2",
                          Error);
 }
+
+TEST_CASE("a system without words has no letters but its terminals and one that fails") {
+    const ET0L none = et0l("X", {{{'X', "X"}}}, "a"), some = et0l("Y", {{{'Y', "b"}}}, "b");
+    for (const ET0L& product : {e0l_concatenation(none, some), e0l_concatenation(some, none)}) {
+        CHECK(oracle::short_words(product, 3) == std::set<Word>());
+        CHECK(product.alphabet->size() == 4);  // those of the first one, the other terminal, F
+    }
+}

@@ -207,3 +207,10 @@ TEST_CASE("sizes of trees far too large to build") {
     few.letters = 10;
     CHECK_THROWS_AS(derivation_tree(doubling, 10, {}, few), BoundReached);
 }
+
+TEST_CASE("the tree of an empty axiom is one mark without a letter") {
+    const DerivationTree tree = derivation_tree(d0l("", {{'a', "b"}}), 3);
+    DerivationTree::Node mark;
+    mark.kind = Kind::erased;
+    CHECK(tree.nodes == std::vector{mark});
+}

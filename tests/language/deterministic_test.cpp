@@ -179,3 +179,11 @@ TEST_CASE("inclusion of D0L languages agrees with their first words") {
     CHECK(outside >= 1);
     CHECK(open * 5 <= within + outside);
 }
+
+TEST_CASE("a section begins where every letter rests") {
+    // Both letters beside the middle rest from the first step on, so after as many steps as there are letters.
+    const auto found = regularity(d0l("a", {{'a', "bac"}}));
+    const auto& section = std::get<SectionOfPowers>(*found);
+    CHECK(section.first == 3);
+    CHECK(section.parts.at(1).word.size() == 1);
+}

@@ -128,3 +128,10 @@ TEST_CASE("a system is a proof, a bound is none") {
     const FiniteLanguage language = finite_language({"a"});
     CHECK(decide_family(language, Family{}, options).truth == Truth::undecided);
 }
+
+TEST_CASE("a rule that no table has stands alone, two stand together") {
+    CHECK(said({"ab", "ac", "cb"}, "T0L").find("No table has c -> ab. Suppose one has:") !=
+          std::string::npos);
+    CHECK(said({"", "aa", "aaa"}, "T0L").find("No table has a -> ε | a together: ") !=
+          std::string::npos);
+}

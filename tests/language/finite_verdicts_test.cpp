@@ -232,3 +232,24 @@ TEST_CASE("a quick truth is that of the statement's judge") {
     CHECK(proved > 200);
     CHECK(known - proved > 200);
 }
+
+TEST_CASE("verdicts of tables with several images of a letter, and of letters with many images") {
+    // Two sets of words that only tables with two images of one letter enter.
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"", "aa", "ac", "c", "ca", "cc"},
+          {"", "aa", "ab", "b", "ba", "bb"}}) {
+        const auto families = FamilyVerdicts().of(spelled(words));
+        REQUIRE(families);
+        for (std::size_t f = 0; f < 8; ++f)
+            CHECK(
+                (*families >> f & 1) ==
+                (decide_family(finite_language(words), all_families()[f]).truth == Truth::proved));
+    }
+    // 0L by y -> ε, z -> ε, and three images of x. In closed maps x has as many as the longest word is long, and nine.
+    for (std::size_t length = 54; length <= 58; ++length) {
+        const auto families =
+            FamilyVerdicts().of(spelled({"yxz", std::string(length, 'a'), "b", "bb"}));
+        if (families) CHECK((*families & 1) == 1);
+        CHECK(families.has_value() == (length + 9 <= 64));
+    }
+}

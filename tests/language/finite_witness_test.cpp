@@ -59,3 +59,44 @@ TEST_CASE("a system that generates something else, or is of another family, is n
     CHECK_FALSE(generates(bad, language, Family{}));
     CHECK(generates(bad, language, family_named("T0L")));
 }
+
+TEST_CASE("no rule of a witness can be left out") {
+    const std::vector<std::vector<std::string>> languages{{"", "a", "b", "aa", "ab", "bb"},
+                                                          {"", "a", "aa"},
+                                                          {"", "aa", "ac", "c", "ca", "cc"},
+                                                          {"aa", "ab", "ba", "bb"},
+                                                          {"", "aa", "ab", "ba", "bb"}};
+    for (const auto& words : languages)
+        for (const char* name : {"0L", "P0L", "T0L", "PT0L"}) {
+            const FiniteLanguage language = finite_language(words);
+            const Family family = family_named(name);
+            const FamilyAnswer answer = decide_family(language, family);
+            if (!answer.witness) continue;
+            CAPTURE(to_string(*answer.witness));
+            CHECK(generates(*answer.witness, language, family));
+            for (std::size_t t = 0; t < answer.witness->tables.size(); ++t)
+                for (std::size_t a = 0; a < answer.witness->tables[t].size(); ++a)
+                    for (std::size_t i = 0; i < answer.witness->tables[t][a].size(); ++i) {
+                        FiniteWitness fewer = *answer.witness;
+                        auto& images = fewer.tables[t][a];
+                        if (images.size() == 1) continue;
+                        images.erase(images.begin() + static_cast<std::ptrdiff_t>(i));
+                        CHECK_FALSE(generates(fewer, language, family));
+                    }
+        }
+}
+
+TEST_CASE("a witness with tables that have one image of each letter stays within the language") {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"cb", "acd", "bac", "dbac"}, {"ab", "ba", "bb"}}) {
+        const FiniteLanguage language = finite_language(words);
+        for (const char* name : {"D0L", "PD0L", "DT0L", "PDT0L"}) {
+            const Family family = family_named(name);
+            const FamilyAnswer answer = decide_family(language, family);
+            if (answer.witness)
+                CHECK(generates(*answer.witness, language, family));
+            else
+                CHECK(flaw_in(answer.obstruction.value()).value_or("sound") == "sound");
+        }
+    }
+}

@@ -152,3 +152,11 @@ TEST_CASE("more words than could be listed are counted") {
     CHECK(number_of_words(ol(std::string(60, 'a'), {{'a', "b"}, {'a', "bb"}, {'a', "bbb"}})) ==
           1 + 121);
 }
+
+TEST_CASE("generations may have as many letters as the bound") {
+    Budget budget;
+    budget.letters = 3;
+    CHECK(repetition(ol("ab", {{'a', "bb"}, {'b', "b"}}), budget) == (Repetition{1, 1}));
+    budget.letters = 2;
+    CHECK_THROWS_AS(repetition(ol("ab", {{'a', "bb"}, {'b', "b"}}), budget), BoundReached);
+}

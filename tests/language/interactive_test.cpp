@@ -424,3 +424,99 @@ TEST_CASE(
         as_il(read_lsystem("axiom a; a -> ε; a -> aa; a < a -> ε; a < a -> a", "x")).value();
     CHECK(!all_words_of(system, {}));
 }
+
+namespace {
+
+/// The words over these letters of a system.
+RegularLanguage words_over(const IL& system, const std::string& names) {
+    std::vector<Symbol> letters;
+    for (const char name : names) letters.push_back(*system.alphabet->find(std::string(1, name)));
+    std::sort(letters.begin(), letters.end());
+    return all_words(letters);
+}
+
+Word word_of(const IL& system, const std::string& text) {
+    Word word;
+    for (const char name : text) word.push_back(*system.alphabet->find(std::string(1, name)));
+    return word;
+}
+
+RegularLanguage set_of(const IL& system, const std::vector<std::string>& texts) {
+    std::vector<Word> words;
+    for (const std::string& text : texts) words.push_back(word_of(system, text));
+    return finite_set(words);
+}
+
+}  // namespace
+
+TEST_CASE("an invariant is closed under steps and has no word outside") {
+    using Outer = std::function<RegularLanguage(const IL&)>;
+    struct Case {
+        IL system;
+        Outer outer_of;
+        bool is_found;
+    };
+    const auto all_but = [](const std::string& names, const std::string& word) -> Outer {
+        return [=](const IL& system) {
+            const RegularLanguage all = words_over(system, names);
+            return !word.empty() ? difference(all, set_of(system, {word})) : all;
+        };
+    };
+    const Outer even = [](const IL& system) {
+        const RegularLanguage letter = set_of(system, {"a", "b", "c"});
+        return star(concatenated(letter, letter));
+    };
+    // Two letters a go where x is; there are as many as 2n, and ax is to be kept out: lengths modulo 2 tell why.
+    const IL two_by_two = il("b", {"b -> aab", "b -> x", "a > ax ->", "a > x ->"});
+    // A second letter a would make d; others stand between, more of them than are told apart: only d is taken away.
+    const LSystem far = read_lsystem(
+        "axiom a; a -> bab; b -> c; c -> e; e -> f; f -> g; a < a -> d; ignore b c e f g", "x");
+    const LSystem tree = read_lsystem("axiom a[b]; a < b -> ab", "x");
+    const std::vector<Case> cases{{il("ac", {"a -> bb", "c -> cc"}), even, true},
+                                  {il("aa", {"a -> bb", "b -> ac"}), even, true},
+                                  {il("ab", {"a > b -> aa"}), all_but("ab", "aa"), true},
+                                  {il("ab", {"a > b -> aa"}), all_but("ab", "ab"), false},
+                                  {il("ab", {"a > b -> aa"}), all_but("ab", "aab"), false},
+                                  {two_by_two, all_but("abx", "ax"), true},
+                                  {two_by_two, all_but("abx", "aax"), false},
+                                  {as_il(far).value(), all_but("abcefg", ""), true},
+                                  {as_il(far).value(), all_but("abcef", ""), false},
+                                  {as_il(tree).value(), all_but("ab[]", ""), false}};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        CAPTURE(i);
+        const auto& [system, outer_of, is_found] = cases[i];
+        const RegularLanguage outer = outer_of(system);
+        const auto found = invariant_within(system, outer);
+        CHECK(found.has_value() == is_found);
+        if (!found) continue;
+        CHECK(is_closed(system, *found) == true);
+        CHECK(difference(*found, outer) == RegularLanguage());
+    }
+}
+
+TEST_CASE("no invariant says what is missing from a language") {
+    const Claim claim = read_claim(
+        "claim T; " + growing + "let A = /a*b/ \\ L(G); let B = L(G) \\ /ab/; show A is empty", "x",
+        {});
+    const Language all = claim.languages.at(0), some = claim.languages.at(1);
+    CHECK_FALSE(by_invariants(all, nullptr, {}, *claim.alphabet, {}));
+    CHECK_FALSE(by_invariants(all, words_language({}), {}, *claim.alphabet, {}));
+    CHECK_FALSE(by_invariants(some, words_language({}), {}, *claim.alphabet, {}));
+    CHECK(by_invariants(some, all->parts.at(0), {}, *claim.alphabet, {}).has_value());
+}
+
+TEST_CASE("words that steps make longer") {
+    const IL system = il("ab", {"a > b -> aa", "b -> b", "b -> ", "b -> bab"});
+    const auto longer = longer_successors(system, set_of(system, {"ab", "b", "ba"}));
+    REQUIRE(longer);
+    CHECK(*longer == set_of(system, {"aab", "aabab", "bab", "baba"}));
+}
+
+TEST_CASE("a measure rises where lengths do not") {
+    SourceSystem source;
+    source.name = "G";
+    // Every second step leaves the length as it is.
+    source.interactive = il("ac", {"a > c -> d", "d > c -> ab", "d > b -> ab", "a > b -> d"});
+    const auto found = endless_measure(source, {});
+    CHECK(found.has_value());
+}

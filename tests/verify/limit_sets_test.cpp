@@ -297,6 +297,15 @@ TEST_CASE("nearer certified bounds of dimensions are checked" * doctest::test_su
     check_all({{plant_f, "dimension(G) <= 1.95"}, {plant_f, "dimension(G) >= 1.5"}}, "bounds");
 }
 
+TEST_CASE("where cells of pairs take too much memory, that is why a bound is not checked") {
+    const Json below = certificate_of(plant_f, "dimension(G) >= 1.2");
+    Budget budget;
+    budget.memory = 1 << 20;
+    const verify::Finding finding = verify::check_certificate(below.dump(), "x", budget).front();
+    CHECK(finding.outcome == Outcome::not_checked);
+    CHECK(finding.reason == "the cells of pairs would take more than the 1 MiB allowed");
+}
+
 TEST_CASE("what is said wrongly of bounds is refused") {
     const Json above = certificate_of(plant_f, "dimension(G) <= 1.97");
     REQUIRE(found(above).outcome == Outcome::checked);

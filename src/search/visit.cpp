@@ -37,6 +37,8 @@ public:
         symmetric  // none does, and others leave it too
     };
 
+    explicit Renamings(const Budget& budget) : budget_(&budget) {}
+
     /// The words of a piece; letters before `known` keep their names.
     Finding of_piece(const Instance& text, std::size_t piece, std::size_t known) {
         begin(text, known);
@@ -100,6 +102,7 @@ private:
 
     /// The words of the piece `from` are to become those of the piece at `place`, from the word `next` on.
     bool words(std::size_t v, std::size_t place, std::size_t from, std::size_t next) {
+        if (++polls_ % 4096 == 0) budget_->check();  // letters that look alike have many renamings
         const std::size_t from_begin = text_->pieces_[from], from_end = text_->piece_end(from);
         const std::size_t done = next - text_->pieces_[place];
         if (next == text_->piece_end(place)) {
@@ -144,6 +147,8 @@ private:
         return false;
     }
 
+    const Budget* budget_;
+    std::uint32_t polls_ = 0;
     const Instance* text_ = nullptr;
     std::vector<Symbol> image_, origin_;  // of letters, by the renaming and back; `none` if not yet
     std::size_t named_ = 0;               // images 0, 1, ..., named_ - 1 are given
@@ -185,7 +190,8 @@ public:
           budget_(&budget),
           range_(range),
           is_renamed_(!tuple.over),
-          places_(tuple.values.size() + 1) {
+          places_(tuple.values.size() + 1),
+          renamings_(budget) {
         for (std::size_t v = tuple.values.size(); v-- > 0;) follow(v);
     }
 

@@ -167,6 +167,16 @@ TEST_CASE("a visitor stops the visit, and so does a budget") {
     }
 }
 
+TEST_CASE("a budget stops the visit while letters that look alike are renamed") {
+    // There are few instances, but of the one with k words of one letter each k! renamings are tried.
+    std::atomic<bool> asked{true};
+    Budget budget;
+    budget.stop = &asked;
+    const Tuple letters{{Domain{.max_word_length = 1}}};
+    CHECK(instance_count(letters, 8, budget) == 1);
+    CHECK_THROWS_AS(instance_count(letters, 24, budget), Interrupted);
+}
+
 TEST_CASE("bounds that leave finitely many instances end the visit") {
     const auto count = [](const Tuple& tuple) {
         std::uint64_t found = 0, greatest = 0;

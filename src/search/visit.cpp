@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "search/search.hpp"
 
@@ -114,11 +115,17 @@ private:
         }
         if (done == from_end - from_begin) return true;
         const std::size_t begin = text_->words_[next], length = text_->word_end(next) - begin;
+        std::optional<std::size_t> tried;
         for (std::size_t w = from_begin; w < from_end; ++w) {
             if (used_[w]) continue;
             const std::size_t start = text_->words_[w], found = text_->word_end(w) - start;
             if (found < length) return true;
             if (found > length) break;  // the words of a piece are sorted
+            if (tried && are_alike(*tried, w)) {
+                symmetric_ = true;
+                continue;
+            }
+            tried = w;
             const std::size_t named = named_;
             std::size_t i = 0;
             Symbol now = 0;
@@ -145,6 +152,32 @@ private:
             if (is_smaller) return true;
         }
         return false;
+    }
+
+    /// Whether nothing but their letters tells two words of a piece apart, which occur nowhere else: what one becomes the other can.
+    bool are_alike(std::size_t one, std::size_t other) const {
+        const std::size_t begin = text_->words_[one], start = text_->words_[other],
+                          length = text_->word_end(one) - begin;
+        for (std::size_t i = 0; i < length; ++i) {
+            const Symbol a = text_->letters_[begin + i], b = text_->letters_[start + i];
+            for (std::size_t k = 0; k < i; ++k)
+                if ((a == text_->letters_[begin + k]) != (b == text_->letters_[start + k]))
+                    return false;
+            if (!is_only_in(a, one) || !is_only_in(b, other)) return false;
+        }
+        return true;
+    }
+    /// Whether a letter has no image yet and occurs in this word alone.
+    bool is_only_in(Symbol letter, std::size_t word) const {
+        if (image_[letter] != none) return false;
+        for (const Instance::Value& value : text_->values_)
+            if (std::find(value.owners.begin(), value.owners.end(), letter) != value.owners.end())
+                return false;
+        const auto letters = text_->letters_.begin();
+        const auto from = static_cast<std::ptrdiff_t>(text_->words_[word]),
+                   to = static_cast<std::ptrdiff_t>(text_->word_end(word));
+        return std::find(letters, letters + from, letter) == letters + from &&
+               std::find(letters + to, text_->letters_.end(), letter) == text_->letters_.end();
     }
 
     const Budget* budget_;

@@ -167,14 +167,21 @@ TEST_CASE("a visitor stops the visit, and so does a budget") {
     }
 }
 
+TEST_CASE("words that nothing but their letters tells apart are not renamed in all ways") {
+    const Tuple letters{{Domain{.max_word_length = 1}}}, pairs{{Domain{.max_word_length = 2}}};
+    CHECK(instance_count(letters, 8) == 1);
+    CHECK(instance_count(letters, 50) == 1);  // 25! renamings
+    CHECK(instance_count(pairs, 6) == 15);
+}
+
 TEST_CASE("a budget stops the visit while letters that look alike are renamed") {
-    // There are few instances, but of the one with k words of one letter each k! renamings are tried.
+    // There are few instances, but where both languages have the same k letters k! renamings are tried.
     std::atomic<bool> asked{true};
     Budget budget;
     budget.stop = &asked;
-    const Tuple letters{{Domain{.max_word_length = 1}}};
-    CHECK(instance_count(letters, 8, budget) == 1);
-    CHECK_THROWS_AS(instance_count(letters, 24, budget), Interrupted);
+    const Tuple both{{Domain{.max_word_length = 1}, Domain{.max_word_length = 1}}};
+    CHECK(instance_count(both, 8) == 15);
+    CHECK_THROWS_AS(instance_count(both, 60, budget), Interrupted);
 }
 
 TEST_CASE("bounds that leave finitely many instances end the visit") {

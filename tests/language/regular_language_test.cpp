@@ -128,3 +128,11 @@ TEST_CASE("determinising what needs all sets of states is bounded") {
     for (int i = 0; i < 11; ++i) end = concatenated(end, letter);
     CHECK_THROWS_AS(concatenated(all_words({0, 1}), end, budget), BoundReached);
 }
+
+TEST_CASE("an induction over words needs tables, and rules for all letters of the words") {
+    const RegularLanguage whole = finite_set({{0, 1}});
+    const Table both{{{0}}, {{1}}}, first{{{0}}};
+    CHECK(regular_induction(whole, {both}, 10).has_value());
+    CHECK_FALSE(regular_induction(whole, {}, 10).has_value());
+    CHECK_FALSE(regular_induction(whole, {first}, 10).has_value());
+}

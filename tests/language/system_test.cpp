@@ -261,3 +261,10 @@ TEST_CASE("classes of growth exclude each other") {
         RC_ASSERT(right == 1);
     }));
 }
+
+TEST_CASE("a family with contexts is named by how long they are, and by nothing behind that") {
+    REQUIRE(system_form("(2,1)L").has_value());
+    CHECK(system_form("(2,1)L")->context == std::pair<std::size_t, std::size_t>{2, 1});
+    for (const char* name : {"(2,1)L2", "(2,1)", "(2)L", "(2,1)0L", "3L", ""})
+        CHECK_FALSE(system_form(name).has_value());
+}

@@ -170,3 +170,21 @@ TEST_CASE("more words than could be listed are counted, with tables too") {
     budget.memory = 1 << 10;
     CHECK_THROWS_AS(number_of_words(system, budget), BoundReached);
 }
+
+TEST_CASE("rounds after which a letter of the axiom never finishes are no proof") {
+    // c becomes d, which is no terminal: by itself a has endlessly many words, beside c only one.
+    const ET0L system =
+        oracle::et0l_of({"ac", {{{'a', {"ab"}}, {'b', {"b"}}, {'c', {"d"}}, {'d', {"d"}}}}, "abc"});
+    EndlessTables proof;
+    proof.again = 0;
+    proof.other = 1;
+    proof.round = {{0, 0, 0, 0}};
+    proof.beside = {{0, 0, 0, 1}};
+    proof.kept = {{0, 1, 0, 0}};
+    CHECK(finiteness(system).finite);
+    CHECK_FALSE(is_proof(system, proof));
+    ET0L alone = system;
+    alone.axiom = {0};
+    alone.tables[0][2] = {{2}};
+    CHECK(is_proof(alone, proof));
+}

@@ -187,3 +187,13 @@ TEST_CASE("what takes more memory than allowed stays undecided") {
                                      {{'a', "c"}, {'c', "ca"}}});
     CHECK_THROWS_AS(membership(system, word_of(system, "abcab"), budget), BoundReached);
 }
+
+TEST_CASE(
+    "a derivation by many tables is not made where their lengths take more memory than allowed") {
+    const ET0L system = oracle::et0l_of({"a", {{{'a', {"a"}}}, {{'a', {"a"}}}}, "a"});
+    const Membership found{true, Reason::derived, 1000, 0, 0, 0, std::vector<std::uint32_t>(1000)};
+    Budget budget;
+    CHECK(derivation(system, {0}, found, budget).words.size() == 1001);
+    budget.memory = 10'000;  // a number of eight bytes or more for each step and letter
+    CHECK_THROWS_AS(derivation(system, {0}, found, budget), BoundReached);
+}

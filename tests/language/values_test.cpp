@@ -7,6 +7,7 @@
 
 #include "certified.hpp"
 #include "language/detail/judge.hpp"
+#include "notation/notation.hpp"
 #include "oracle/language_words.hpp"
 
 using namespace algae;
@@ -79,4 +80,13 @@ TEST_CASE("what L(G) and a regular language have in common is found empty or has
         RC_PRE(words.has_value());
         if (empty.judgement.truth == Truth::proved) RC_ASSERT(words->empty());
     }));
+}
+
+TEST_CASE("a language behind an empty one is empty, even if it is that of a system with contexts") {
+    const Claim claim = read_claim(
+        "claim T\nlet G = IL { axiom a; a < b -> a; a -> ab; b -> b }\n"
+        "show ({a} & {b}) L(G) is empty\nshow ({a} & {b}) L(G) is finite",
+        "t.claim", {});
+    for (const CheckedStatement& found : check(claim).statements)
+        CHECK(found.answer.truth == Truth::proved);
 }

@@ -515,3 +515,116 @@ TEST_CASE("De Morgan's rules hold in every file, whatever letters its languages 
     MESSAGE(proved << " laws proved and checked");
     CHECK(proved > 0);
 }
+
+TEST_CASE("each way to decide is reached, and its sentences say what the systems do") {
+    struct Way {
+        std::string lines, verdict, sentence;
+    };
+    const std::string doubling = "let G = D0L { axiom a; a -> aa }\n",
+                      choosing = "let G = 0L { axiom a; a -> a | aa }\n",
+                      waiting = "let G = D0L { axiom a; a -> b; b -> bb }\n",
+                      rising = "let G = D0L { axiom a; a -> ab; b -> b }\n",
+                      two_tables =
+                          "let G = T0L { axiom a; table p; a -> b; b -> b; "
+                          "table q; a -> a; b -> aa }\n",
+                      slow = "let G = IL { axiom a; a < a -> a; a -> a | b; b -> b }\n",
+                      one_sided = "let G = IL { axiom a; a < b -> a; a -> ab; b -> b }\n",
+                      two_sided = "let G = IL { axiom a; a < b > a -> a; a -> ab; b -> b }\n",
+                      growing = "let G = IL { axiom ab; a < b -> bb | b; a -> a; b -> b }\n";
+    const std::vector<Way> ways{
+        // Lengths: a => b => bb.
+        {waiting + "show growth(G) is strictly increasing", "refuted by generation",
+         "Generation 0 of G has 1 letters and the next one 1."},
+        {rising + "show growth(G) is strictly increasing", "proved by letters",
+         "each of the 2 sets of letters that occur together has a letter with a longer successor."},
+        // Only b, whose number does not grow, has all its powers: the system is circular.
+        {rising + "show G is circular", "proved by windows", "the synchronising delay 0."},
+        // Derivations in so many steps.
+        {doubling + "show G ==> aaa in 3 steps", "refuted by exhausted",
+         "a ==> aaaaaaaa in 3 steps, and nothing else."},
+        {choosing + "show G ==> aaaaa in 2 steps", "refuted by exhausted",
+         "No choice of rules makes aaaaa of a in 2 steps"},
+        {slow + "show G ==> a in 100001 steps",
+         "undecided: with contexts at most 100000 steps are followed",
+         "with contexts at most 100000 steps are followed"},
+        // Neither table makes more letters than one by itself.
+        {two_tables + "show L(G) is finite", "refuted by endless tables", "L(G) is infinite"},
+        {choosing + "show L(G) is finite", "refuted by endless round",
+         "by a -> aa the letter a comes back with a beside it"},
+        {"show {c} | {a^n b^n : n >= 0} is finite", "refuted by part",
+         "{a^n b^n : n >= 0} is infinite"},
+        // The regular part stands before the other one.
+        {"show /ab*/ & {a^n b^n : n >= 0} is empty", "refuted by word", "ab is a word of"},
+        {"show /ba*/ & {a^n b^n : n >= 1} is empty", "proved by relations",
+         "No word of {a^n b^n : n >= 1} is in {b} . {a}*"},
+        {"show {a^n b^n : n >= 2} & {a^n b^n a^n : n >= 1} is empty",
+         "undecided: no word of it was found, and no reason why there is none", ""},
+        // By two numbers there is no one sequence of words, although a^n is the same in both.
+        {"show {a^n b^m c^m : n, m >= 1} == {a^n b^(2m) c^m : n, m >= 1}", "refuted by word",
+         "abc is not in {a^n b^(2m) c^m : n, m >= 1}"},
+        {doubling + "let H = D0L { axiom a; a -> aaaa }\nshow L(H) <= L(G)", "proved by sections",
+         "Word n of H is word 2n of G for all n"},
+        {growing + "show L(G) is finite", "refuted by measure",
+         "where letters choose a < b -> bb, b -> b, and every"},
+        {"show {ab, b} is a prefix code", "proved by code",
+         "No word of {b, ab} begins with another, and ε is none of them."},
+        {"let G = IL { axiom b; a < b -> b | a; b -> b | ab; a -> a }\nshow a in L(G)",
+         "refuted by membership", "the only word with at most 1 letter is another."},
+        {"show /a+b+a/ is 0L", "refuted by classes",
+         "aba becomes aa, which is not in the language, by a -> a; b -> ε, so one"},
+        {"show /(ab|ba)+/ is 0L", "proved by equal",
+         "with fewer letters a, by induction on their number"},
+        {"show /b+(baab)+/ is 0L", "refuted by classes", "bbaab becomes bbb"},
+        {"show {a, aaa} | /aaaaaa*/ is P0L", "proved by equal", "axiom a; a -> a | aaa | aaaaaa."},
+        {"show {ε} | /a(aa)*/ is T0L", "proved by equal", "ε is in L(G): a => ε."},
+        {"show {a} | /aaaa(aa)*/ is P0L", "proved by equal", "a is in L(G): it is the axiom."},
+        {"show {a, aa, aaa} | /aaaaaa*/ is P0L", "refuted by lengths", " become 2 x 2 = 4, which"},
+        {"show /a(aa)*|aa/ is P0L", "refuted by lengths", "So {a} . {aa}* | {aa} is not P0L."},
+        {"show /a(aa)*|aa|aaaa/ is PT0L", "refuted by lengths",
+         "Only one of the two can be the axiom, so {a} . {aa}* | {aa, aaaa} is not PT0L."}};
+    for (const Way& way : ways) {
+        CAPTURE(way.lines);
+        CHECK(verdict(way.lines) == way.verdict);
+        const std::string argument = judged(way.lines).argument;
+        CAPTURE(argument);
+        CHECK(argument.find(way.sentence) != std::string::npos);
+    }
+    // Contexts on one side make a 1L system; of its number of letters nothing is said.
+    for (const char* family : {"1L", "(1,0)L", "IL"})
+        CHECK(judged(one_sided + "show L(G) is " + family).truth == Truth::proved);
+    CHECK(judged(two_sided + "show L(G) is (1,1)L").truth == Truth::proved);
+    for (const char* family : {"1L", "(1,0)L"})
+        CHECK(judged(two_sided + "show L(G) is " + family).truth == Truth::undecided);
+    // What holds by itself holds behind another theorem, whose names have other numbers.
+    const std::string chain =
+        "for all 0L systems G and words x, y, z with G : x ==> y and G : y ==> z: G : x ==> z\n";
+    for (const Verdict& found : all_judged("show " + chain + "theorem " + chain)) {
+        CHECK(found.truth == Truth::proved);
+        CHECK(found.is_checked());
+    }
+    // Only the first cases are shown, and the number of all.
+    const CheckedClaim many = check(read_claim("claim T\nshow /a+b+a/ is 0L", "x.claim", {}));
+    const auto shown = sentences(many.statements[0].answer, *many.claim.alphabet);
+    const auto steps = std::count_if(shown.begin(), shown.end(), [](const std::string& line) {
+        return line.starts_with("  ") || line.starts_with("aba becomes");
+    });
+    CHECK(steps <= 40);
+    CHECK(steps >= 10);
+    // EDT0L languages are closed under union; of rules with choices nothing is known.
+    const std::string other = "; b -> bb }\nlet H = D0L { axiom b; b -> bbb }\n";
+    CHECK(verdict("let G = D0L { axiom ab; a -> aa" + other + "show L(G) | L(H) is EDT0L") ==
+          "proved by closed");
+    CHECK(
+        judged("let G = 0L { axiom ab; a -> aa | a" + other + "show L(G) | L(H) is EDT0L").truth ==
+        Truth::undecided);
+    // The construction has letters that the alphabet of the claim has not.
+    CHECK(judged("let G = 0L { axiom ab; a -> aa; b -> bb | b }\nshow L(G) & /a*b*/ is finite")
+              .argument.find("goes round from a_1 to a_1") != std::string::npos);
+}
+
+TEST_CASE("an equivalence of families has the least language of one of them as counterexample") {
+    CHECK(judged("theorem for all 0L languages A: (A is P0L) iff (A is PD0L)")
+              .argument.starts_with("The least counterexample is A = {a, b, aa}, of size 7."));
+    // Systems without erasing rules, which no finite language with the empty word has.
+    CHECK(judged("theorem for all 0L languages A: A is PIL").truth == Truth::refuted);
+}

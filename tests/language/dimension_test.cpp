@@ -7,6 +7,7 @@
 
 #include "certified.hpp"
 #include "dimension/dimension.hpp"
+#include "language/detail/judge.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;
@@ -149,4 +150,16 @@ TEST_CASE("claims are decided by certified bounds where no search ends") {
     CHECK(last_sentence(plant, "dimension(G) >= 1.2").find("is at least") != std::string::npos);
     CHECK(last_sentence(plant, "dimension(G) >= 1.95").find("is at most") != std::string::npos);
     CHECK(last_sentence(plant, "dimension(G) = 1.2").find("is at least") != std::string::npos);
+}
+
+TEST_CASE("a dimension that is the claimed one is said once, and polygons are no segments") {
+    CHECK(last_sentence(koch, "dimension(G) = log 4 / log 3") ==
+          "The dimension of the limit set of G is log 4 / log 3 = 1.261859507143.");
+    const auto has_segments = [](const std::string& system) {
+        const Claim claim = claim_of(system, "dimension(G) = 1");
+        return has_lattice_turtle(
+            *std::get<HasDimension>(claim.statements[0].statement.says).system);
+    };
+    CHECK(has_segments(koch));
+    CHECK_FALSE(has_segments("D0L { axiom F; F -> {F+F--F+F}; angle 60 }"));
 }

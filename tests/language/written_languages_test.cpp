@@ -579,6 +579,9 @@ TEST_CASE("each way to decide is reached, and its sentences say what the systems
         {"show {ε} | /a(aa)*/ is T0L", "proved by equal", "ε is in L(G): a => ε."},
         {"show {a} | /aaaa(aa)*/ is P0L", "proved by equal", "a is in L(G): it is the axiom."},
         {"show {a, aa, aaa} | /aaaaaa*/ is P0L", "refuted by lengths", " become 2 x 2 = 4, which"},
+        // Without erasing rules the empty word as axiom derives nothing else.
+        {"allow empty axiom\nshow {ε} | /aaa*/ is P0L", "refuted by lengths",
+         "Only one of the two can be the axiom, so {ε} | {aa} . {a}* is not P0L."},
         {"show /a(aa)*|aa/ is P0L", "refuted by lengths", "So {a} . {aa}* | {aa} is not P0L."},
         {"show /a(aa)*|aa|aaaa/ is PT0L", "refuted by lengths",
          "Only one of the two can be the axiom, so {a} . {aa}* | {aa, aaaa} is not PT0L."}};

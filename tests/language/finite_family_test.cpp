@@ -80,11 +80,7 @@ TEST_CASE("all deterministic systems over words of at most three letters a and b
 
 TEST_CASE(
     "all 32767 languages over a and b with words of at most three letters are decided for 0L") {
-    const auto start = std::chrono::steady_clock::now();
     const std::set<std::uint64_t> languages = decided(2, 3, Family{});
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    MESSAGE("decided and every answer checked: ", taken.count(), " s");
-    CHECK(taken.count() < 60);
     const auto deterministic = FiniteSystems(2, 3, false, true).without_tables();
     CHECK(std::includes(languages.begin(), languages.end(), deterministic.begin(),
                         deterministic.end()));

@@ -6,6 +6,8 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <complex>
+#include <utility>
 
 #include "model/model.hpp"
 #include "notation/notation.hpp"
@@ -81,4 +83,60 @@ TEST_CASE("what the rules give is compared with what is claimed") {
     const LogRatio island = value("axiom F; F -> F-F+F+FF-F-F+F; angle 90");
     CHECK(compare(island, Rational(3, 2)) == Order::equal);
     CHECK(compare(island, logs(27, 9)) == Order::equal);
+}
+
+TEST_CASE("a cyclotomic field has the values of roots and powers that lie in it") {
+    struct Case {
+        const char* text;
+        long order;
+        double value;
+    };
+    const Case cases[] = {
+        {"sqrt(2)", 8, std::sqrt(2.0)},
+        {"sqrt(8)", 8, std::sqrt(8.0)},
+        {"sqrt(12)", 12, std::sqrt(12.0)},
+        {"sqrt(75)", 12, std::sqrt(75.0)},
+        {"sqrt(5)", 20, std::sqrt(5.0)},
+        {"sqrt(49)", 4, 7},
+        {"sqrt(16)", 4, 4},
+        {"3^(-1/2)", 12, 1 / std::sqrt(3.0)},
+        {"(1+sqrt(2))^2", 8, 5.82842712474619},
+        {"(1+sqrt(2))^0", 8, 1},
+        {"(1+sqrt(2))^(-1)", 8, 0.414213562373095},
+        {"-sqrt(3)", 12, -std::sqrt(3.0)},
+        {"(1+sqrt(2))/sqrt(2)", 8, 1 + std::sqrt(0.5)},
+        {"tan(60)", 12, std::sqrt(3.0)},
+    };
+    for (const Case& one : cases) {
+        CAPTURE(one.text);
+        const CyclotomicField field(one.order);
+        const auto found = field.value_of(read_expression(one.text));
+        REQUIRE(found);
+        CHECK(std::abs(field.to_complex(*found) - one.value) < 1e-9);
+    }
+}
+
+TEST_CASE("a cyclotomic field has no values of roots and powers that lie outside it") {
+    const std::pair<const char*, long> cases[] = {
+        {"sqrt(2)", 4},
+        {"sqrt(2)", 12},
+        {"sqrt(3)", 8},
+        {"sqrt(5)", 12},
+        {"(sqrt(2)-sqrt(2))^(-1)", 8},
+        {"(1+sqrt(2))^(1/3)", 8},
+        {"1/sqrt(5)", 8},
+        {"tan(90)", 4},
+    };
+    for (const auto& [text, order] : cases) {
+        CAPTURE(text);
+        CHECK_FALSE(CyclotomicField(order).value_of(read_expression(text)));
+    }
+}
+
+TEST_CASE("an integer is raised to powers that are too large for other roots") {
+    CHECK(power(AlgebraicInteger(Integer(1)), 500).integer() == Integer(1));
+
+    CHECK_THROWS_AS(power(root({-1, -1, 1}), 500), BoundReached);
+    CHECK(exponent_between(AlgebraicInteger(Integer(2)), AlgebraicInteger(Integer(8))) ==
+          Rational(1, 3));
 }

@@ -106,6 +106,8 @@ TEST_CASE("a cyclotomic field has the values of roots and powers that lie in it"
         {"-sqrt(3)", 12, -std::sqrt(3.0)},
         {"(1+sqrt(2))/sqrt(2)", 8, 1 + std::sqrt(0.5)},
         {"tan(60)", 12, std::sqrt(3.0)},
+        {"cos(60)", 12, 0.5},
+        {"sin(30)", 12, 0.5},
     };
     for (const Case& one : cases) {
         CAPTURE(one.text);
@@ -126,6 +128,7 @@ TEST_CASE("a cyclotomic field has no values of roots and powers that lie outside
         {"(1+sqrt(2))^(1/3)", 8},
         {"1/sqrt(5)", 8},
         {"tan(90)", 4},
+        {"(1+sqrt(2))^(1/2)", 8},
     };
     for (const auto& [text, order] : cases) {
         CAPTURE(text);
@@ -139,4 +142,12 @@ TEST_CASE("an integer is raised to powers that are too large for other roots") {
     CHECK_THROWS_AS(power(root({-1, -1, 1}), 500), BoundReached);
     CHECK(exponent_between(AlgebraicInteger(Integer(2)), AlgebraicInteger(Integer(8))) ==
           Rational(1, 3));
+}
+
+TEST_CASE("the dimension of a carpet is written without logarithms of 1") {
+    using Kind = CarpetDimension::Kind;
+    CHECK(CarpetDimension(Kind::box, 2, 3, {1, 1}).text().find("log") == std::string::npos);
+    CHECK(CarpetDimension(Kind::box, 2, 3, {2, 1}).text() == "1 + log (3/2) / log 3");
+    CHECK(CarpetDimension(Kind::hausdorff, 2, 3, {2, 1}).text().find("2^(log 2 / log 3)") !=
+          std::string::npos);
 }

@@ -161,6 +161,7 @@ TEST_CASE("systems without a formula say why") {
     const char* fences = "a polygon goes on from letter to letter";
     CHECK(reason("axiom {F--F--F}; F -> F+F--F+F; angle 60") == fences);
     CHECK(reason("axiom F; F -> FFA; A -> AAA; interpret A -> }f{") == fences);
+    CHECK(reason("axiom F; F -> FFA; A -> AAA; interpret A -> {f") == fences);
     CHECK(reason("axiom A(1); A(x) -> F(x){A(x/3)F(x/3)}; angle 60") == fences);
 }
 

@@ -328,3 +328,10 @@ TEST_CASE("constants of expressions are enclosed") {
     const Model system = read_lsystem("let c = 0.5*2*(0.7*0.3)^0.5; axiom F", "");
     CHECK(to_text(shortened(system.constants.front().second.expression)) == "0.21^0.5");
 }
+
+TEST_CASE("a ratio that is one over a sum with 1 keeps the 1") {
+    // r^s + 0.5^s = m^s with r = 1/(1 + sqrt 2) and m^2 = r^2 + 0.25 + r/2, solved by halving.
+    const ExactDimension found =
+        dimension_of("axiom F(1); F(x) -> F(x/(sqrt(2)+1))+(60)F(x*0.5)-(60)");
+    CHECK(found.value->decimal(9).substr(0, 9) == "1.2611352");
+}

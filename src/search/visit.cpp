@@ -22,7 +22,8 @@
 //   two tables, the values so far are tested as a whole at the end of each value (class Renamings).
 // A test does not go through all renamings. It goes through the text and matches: some word of the renamed set must become the
 // next word of the text, letters that have no image yet get the least new ones, and a word that becomes smaller
-// decides. So it costs about as many steps as there are renamings that leave a beginning of the text as it is.
+// decides. So it costs about as many steps as there are renamings that leave a beginning of the text as it is. Of words that nothing but
+// their letters tells apart one is tried, as with {b, c, d, e}, which many renamings leave.
 //
 // What is subtle: after a set such as {b, c} a renaming carries the rule of b to the place of that of c, so pieces are matched by
 // the letters that own them. Tables are renamed by trying their orders.

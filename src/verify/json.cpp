@@ -371,24 +371,23 @@ std::string plain(std::string_view text) {
     const auto at = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
     };
+    const auto write = [&](std::string_view begin, unsigned number) {
+        all += begin;
+        all += digits[number >> 4];
+        all += digits[number & 15];
+    };
     for (std::size_t i = 0; i < text.size(); ++i) {
         const unsigned byte = at(i), third = at(i + 2);
         if (byte < 0x20 || byte == 0x7F) {
-            all += "\\x";
-            all += digits[byte >> 4];
-            all += digits[byte & 15];
+            write("\\x", byte);
         } else if (byte == 0xC2 && at(i + 1) >= 0x80 && at(i + 1) < 0xA0) {  // U+0080 to U+009F
-            all += "\\u00";
-            all += digits[at(i + 1) >> 4];
-            all += digits[at(i + 1) & 15];
+            write("\\u00", at(i + 1));
             ++i;
         } else if (byte == 0xE2 &&
                    (at(i + 1) == 0x80
                         ? third >= 0x8B && third <= 0xAE && (third < 0x90 || third > 0xA7)
                         : at(i + 1) == 0x81 && third >= 0xA0 && third <= 0xAF)) {
-            const unsigned code = (at(i + 1) & 0x3FU) << 6 | (third & 0x3FU);  // of U+2000 and more
-            all += "\\u20";
-            for (const unsigned shift : {4U, 0U}) all += digits[code >> shift & 15];
+            write("\\u20", (at(i + 1) & 0x3FU) << 6 | (third & 0x3FU));
             i += 2;
         } else {
             all += text[i];

@@ -427,18 +427,17 @@ TEST_CASE(
 
 namespace {
 
-/// The words over these letters of a system.
-RegularLanguage words_over(const IL& system, const std::string& names) {
-    std::vector<Symbol> letters;
-    for (const char name : names) letters.push_back(*system.alphabet->find(std::string(1, name)));
-    std::sort(letters.begin(), letters.end());
-    return all_words(letters);
-}
-
 Word word_of(const IL& system, const std::string& text) {
     Word word;
     for (const char name : text) word.push_back(*system.alphabet->find(std::string(1, name)));
     return word;
+}
+
+/// The words over these letters of a system.
+RegularLanguage words_over(const IL& system, const std::string& names) {
+    Word letters = word_of(system, names);
+    std::sort(letters.begin(), letters.end());
+    return all_words(letters);
 }
 
 RegularLanguage set_of(const IL& system, const std::vector<std::string>& texts) {

@@ -219,12 +219,11 @@ TEST_CASE("a derivation of many steps keeps the tables of few of them") {
     // 900 steps: all their tables would take almost three megabytes, every thirtieth and those between two do not.
     OL system = ol("ab", {{'a', "b"}, {'b', "a"}});
     system.successors[1].push_back({1});
+    const Word word(100, 1);
+    system.axiom = word;
     Budget budget;
     budget.memory = 250'000;
-    const Word word(100, 1);
-    OL wide = system;
-    wide.axiom = word;
-    const auto found = find_derivation(wide, word, 900, budget);
+    const auto found = find_derivation(system, word, 900, budget);
     REQUIRE(found.has_value());
     CHECK(found->words.size() == 901);
     CHECK(found->words.back() == word);

@@ -1,8 +1,8 @@
 #include "language/language.hpp"
 
 #include <doctest/doctest.h>
-
 #include <rapidcheck.h>
+
 #include <algorithm>
 #include <bit>
 

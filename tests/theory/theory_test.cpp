@@ -76,16 +76,13 @@ TEST_CASE("more claims of the theory are decided in all their parts than cited")
 
 TEST_CASE("certificates of the theory hold; finite refutations are checked to the last") {
     using verify::Finding;
-    const auto is_by_cases = [](const CheckedClaim& checked, std::size_t i) {
-        const auto proof =
-            algae::certificate(checked.statements[i].answer, *checked.claim.alphabet);
-        return !proof.is_null() && proof.at("by") == "cases";
-    };
     std::size_t by_cases = 0;
     for (const CheckedClaim& checked : theory()) {
         std::vector<bool> expected;
-        for (std::size_t i = 0; i < checked.statements.size(); ++i)
-            expected.push_back(is_by_cases(checked, i));
+        for (const CheckedStatement& statement : checked.statements) {
+            const auto proof = algae::certificate(statement.answer, *checked.claim.alphabet);
+            expected.push_back(!proof.is_null() && proof.at("by") == "cases");
+        }
         const auto count = std::count(expected.begin(), expected.end(), true);
         Budget budget;  // what else takes longer is not checked, which no test here is about
         if (count == 0)

@@ -22,12 +22,14 @@ changed::Json statement_of_numbers(const std::string& left, const std::string& r
 std::string outcome_of(const changed::Json& statement, const changed::Json& proof,
                        const changed::Json& system,
                        const std::vector<std::string>& alphabet = {"a"},
-                       const char* verdict = "proved") {
+                       const char* verdict = "proved",
+                       const algae::Budget& budget = changed::budget()) {
     return changed::found(changed::certificate_of({{"alphabet", alphabet},
                                                    {"systems", {{"G", system}}},
                                                    {"statement", statement},
                                                    {"verdict", verdict},
-                                                   {"proof", proof}}))
+                                                   {"proof", proof}}),
+                          budget)
         .outcome;
 }
 
@@ -226,17 +228,9 @@ TEST_CASE("up to 5000 languages stand within each other") {
                           : changed::Json{{"coefficient", 1}}}}});
         algae::Budget budget;
         budget.memory = 100 << 20;
-        return changed::found(
-                   changed::certificate_of(
-                       {{"alphabet", {"a"}},
-                        {"systems", {{"G", one()}}},
-                        {"statement",
-                         {{"equal",
-                           {powers, changed::Json::parse(R"({"star": {"words": ["a"]}})")}}}},
-                        {"verdict", "proved"},
-                        {"proof", {{"by", "derivatives"}}}}),
-                   budget)
-            .outcome;
+        return outcome_of(
+            {{"equal", {powers, changed::Json::parse(R"({"star": {"words": ["a"]}})")}}},
+            {{"by", "derivatives"}}, one(), {"a"}, "proved", budget);
     };
     const std::string beyond = "not checked: more than 5000 languages stand within each other";
     CHECK(found(20'000) == beyond);
@@ -558,13 +552,8 @@ TEST_CASE("words that are derived with contexts have up to 50000000 letters toge
     for (int i = 0; i < 20'000; ++i) axiom += "a ";
     system["axiom"] = axiom + "c";
     const auto found = [&](const char* statement) {
-        changed::Json certificate =
-            changed::certificate_of({{"alphabet", {"a", "b", "c"}},
-                                     {"systems", {{"G", system}}},
-                                     {"statement", changed::Json::parse(statement)},
-                                     {"verdict", "refuted"},
-                                     {"proof", {{"by", "exhausted"}}}});
-        return changed::found(certificate, {}).outcome;
+        return outcome_of(changed::Json::parse(statement), {{"by", "exhausted"}}, system,
+                          {"a", "b", "c"}, "refuted", {});
     };
     const std::string refused = "not checked: the words derived are too long or too many";
     CHECK(found(R"({"derives": "b", "system": "G"})") == refused);

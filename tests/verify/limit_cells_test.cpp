@@ -121,9 +121,10 @@ struct Fixture {
     double boundary() const { return rate_of_boundary(*places).enclose(64).midpoint(); }
 
     /// Whether k/100000 is shown to lie below the dimension.
-    bool is_shown(long k, std::uint64_t levels, std::uint64_t across) const {
+    bool is_shown(long k, int levels, int across) const {
         Parts parts(*places, set.components.front());
-        return is_above_by_pairs(parts, levels, across,
+        return is_above_by_pairs(parts, static_cast<std::uint64_t>(levels),
+                                 static_cast<std::uint64_t>(across),
                                  Ball(Rational(Integer(k), Integer(100'000)), bits), budget);
     }
 };
@@ -164,7 +165,7 @@ public:
             for (std::size_t k = i + 1; k < block_.size(); ++k) {
                 const auto [heading, place] =
                     seen(block_[i], block_[k].first, block_[k].second, Complex{});
-                meet(heading, place, 1e-6, 0, [&](int x, int y) { number(heading, x, y); });
+                meet(place, 1e-6, 0, [&](int x, int y) { number(heading, x, y); });
             }
         for (std::size_t k = 0; k < cells_.size(); ++k) follow(k);
         const auto count = static_cast<double>(block_.size());
@@ -191,7 +192,7 @@ private:
     }
     /// The cells that meet a square around `at`, of half this side and turned by the angle, and come near the disc.
     template <class See>
-    void meet(int, Complex at, double half, double angle, const See& see) const {
+    void meet(Complex at, double half, double angle, const See& see) const {
         const Complex along = std::polar(1.0, angle);
         const double spread = std::abs(along.real()) + std::abs(along.imag());
         for (int x = 0; x < across_; ++x)
@@ -214,8 +215,7 @@ private:
                 const auto [to, at] = seen(first, (heading + turn) % of_.whole.order,
                                            of_.turn(heading) * other, stretch_ * place);
                 std::vector<std::size_t> targets;
-                meet(to, at, half_ * std::abs(stretch_),
-                     std::arg(stretch_ * of_.turn(-first.first)),
+                meet(at, half_ * std::abs(stretch_), std::arg(stretch_ * of_.turn(-first.first)),
                      [&, to = to](int i, int j) { targets.push_back(number(to, i, j)); });
                 steps.push_back(std::move(targets));
             }
@@ -264,10 +264,8 @@ void expect_shown(const Whole& whole, const std::vector<Known>& all) {
     for (const auto& [levels, across, shown] : all) {
         CAPTURE(levels);
         CAPTURE(across);
-        CHECK(made.is_shown(shown, static_cast<std::uint64_t>(levels),
-                            static_cast<std::uint64_t>(across)));
-        CHECK_FALSE(made.is_shown(shown + 1, static_cast<std::uint64_t>(levels),
-                                  static_cast<std::uint64_t>(across)));
+        CHECK(made.is_shown(shown, levels, across));
+        CHECK_FALSE(made.is_shown(shown + 1, levels, across));
         const double least = Slowly(made, levels, across, 1e-2, 1.6).shown,
                      most = Slowly(made, levels, across, -1e-3, 1.4).shown;
         CHECK(static_cast<double>(shown) / 100'000 >= least - 0.001);
@@ -351,9 +349,7 @@ TEST_CASE("pairs in cells: random parts" * doctest::test_suite("long")) {
         const Fixture made(whole);
         const int levels = 1 + below(2), across = 4 + below(9);
         const auto shows = [&](double number) {
-            return made.is_shown(static_cast<long>(std::floor(number * 100'000)),
-                                 static_cast<std::uint64_t>(levels),
-                                 static_cast<std::uint64_t>(across));
+            return made.is_shown(static_cast<long>(std::floor(number * 100'000)), levels, across);
         };
         try {
             const double least = Slowly(made, levels, across, 1e-2, 1.6).shown,

@@ -495,10 +495,10 @@ Language combination(Tree::Kind kind, std::vector<Language> parts,
                      std::map<Symbol, Word> morphism) {
     Tree tree;
     tree.kind = kind;
-    constexpr std::size_t deepest = 5'000;  // what is deep is walked by a deep stack
+    constexpr std::size_t deepest = 1'000;  // a stack of 8 MiB holds the walks, with sanitizers too
     for (const Language& part : parts) tree.depth = std::max(tree.depth, part->depth + 1);
     if (tree.depth > deepest)
-        throw BoundReached(Bound::method, "more than 5000 languages stand within each other");
+        throw BoundReached(Bound::method, "more than 1000 languages stand within each other");
     tree.parts = std::move(parts);
     tree.morphism = std::move(morphism);
     return std::make_shared<const Tree>(std::move(tree));

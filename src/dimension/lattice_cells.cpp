@@ -59,12 +59,6 @@ struct Lattice {
     std::complex<double> value(Place at) const {
         return static_cast<double>(at.x) * values[0] + static_cast<double>(at.y) * values[1];
     }
-    Place scaled(Place at) const {
-        return {at.x * scale[0].x + at.y * scale[1].x, at.x * scale[0].y + at.y * scale[1].y};
-    }
-    std::int64_t determinant() const {
-        return std::abs(scale[0].x * scale[1].y - scale[0].y * scale[1].x);
-    }
 };
 
 /// A piece turned by a heading.

@@ -321,26 +321,6 @@ std::vector<bool> drawing_for_ever(const Unfolding& unfolding) {
     return all;
 }
 
-/// The axiom in a generation of this phase.
-std::vector<Unfolding::Item> axiom_at(const Unfolding& unfolding, std::size_t phase) {
-    const std::size_t first = phase * unfolding.letters.size();
-    std::vector<Unfolding::Item> found = unfolding.axiom;
-    std::vector<std::int64_t> saved;
-    std::int64_t heading = 0;
-    for (Unfolding::Item& item : found) {
-        if (item.kind == Kind::push) {
-            saved.push_back(heading);
-        } else if (item.kind == Kind::pop) {
-            heading = saved.back();
-            saved.pop_back();
-        } else {
-            item = {Kind::piece, first + item.piece, heading};
-            heading = normal_heading(heading + unfolding.turns[item.piece], unfolding.order);
-        }
-    }
-    return found;
-}
-
 /// Those pieces that these lead to.
 std::vector<bool> reached_from(const RecurrentSet& set, std::vector<std::size_t> open) {
     std::vector<bool> reached(set.size(), false);
@@ -365,9 +345,10 @@ std::vector<std::vector<std::size_t>> multiplying_components(const RecurrentSet&
     std::vector<std::vector<std::size_t>> found;
     for (std::size_t phase = 0; phase < unfolding.phases; ++phase) {
         std::vector<std::size_t> begin;
-        for (const Unfolding::Item& item : axiom_at(unfolding, phase))
-            if (item.kind == Kind::piece && !set.parts(item.piece).empty())
-                begin.push_back(item.piece);
+        for (const Unfolding::Item& item : unfolding.axiom) {
+            const std::size_t piece = phase * unfolding.letters.size() + item.piece;
+            if (item.kind == Kind::piece && !set.parts(piece).empty()) begin.push_back(piece);
+        }
         const std::vector<bool> reached = reached_from(set, std::move(begin));
         std::vector<std::size_t> own;
         for (std::size_t k = 0; k < list.size(); ++k)

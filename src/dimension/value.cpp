@@ -200,7 +200,8 @@ std::optional<std::pair<Integer, long>> pure_power(const Polynomial& polynomial)
 }
 
 /// The root of this degree of a number above 0, of as small a number as can be: 14^(1/3) for 196 and
-/// 6.
+/// 6. The polynomial x^(degree/2) - number is irreducible, of a degree above 1, so the root is neither
+/// whole nor a square root.
 std::string root_text(Integer number, long degree) {
     for (long part = degree; part > 1; --part) {
         if (degree % part != 0) continue;
@@ -212,8 +213,6 @@ std::string root_text(Integer number, long degree) {
         degree /= part;
         break;
     }
-    if (degree == 1) return to_string(number);
-    if (degree == 2) return "sqrt " + to_string(number);
     return to_string(number) + "^(1/" + std::to_string(degree) + ")";
 }
 

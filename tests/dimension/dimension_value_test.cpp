@@ -1,4 +1,5 @@
 #include "dimension/detail/ratio_graph.hpp"
+#include "dimension/detail/recurrent_set.hpp"
 #include "dimension/dimension.hpp"
 #include "growth/growth.hpp"
 
@@ -7,10 +8,12 @@
 
 #include <cmath>
 #include <complex>
+#include <string>
 #include <utility>
 
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 
@@ -149,4 +152,54 @@ TEST_CASE("the dimension of a carpet is written without logarithms of 1") {
     CHECK(CarpetDimension(Kind::box, 2, 3, {2, 1}).text() == "1 + log (3/2) / log 3");
     CHECK(CarpetDimension(Kind::hausdorff, 2, 3, {2, 1}).text().find("2^(log 2 / log 3)") !=
           std::string::npos);
+}
+
+TEST_CASE("exponents of at most 24 are found, and no larger ones") {
+    const AlgebraicInteger two(Integer(2));
+    CHECK(exponent_between(AlgebraicInteger(Integer(1L << 24)), two) == Rational(24));
+    for (const long exponent : {25, 30, 40}) {
+        CAPTURE(exponent);
+        CHECK_FALSE(exponent_between(AlgebraicInteger(Integer(1L << exponent)), two));
+    }
+}
+
+TEST_CASE("a logarithm of a root is a part of that of its power") {
+    const AlgebraicInteger under(Integer(1L << 20));
+    CHECK(DimensionValue(Rational(1), root({-2, 0, 1}), under).rational() == Rational(1, 40));
+    CHECK(DimensionValue(Rational(1), root({-2, 0, 0, 1}), under).rational() == Rational(1, 60));
+}
+
+TEST_CASE("a rate of 1 makes the dimension 0") {
+    CHECK(LogRatio(Rate(1), ScalingRatio::square_root(Integer(5))).rational() == Rational(0));
+}
+
+TEST_CASE("values that are equal by too large exponents are not told apart") {
+    const Order order = compare(logs(3, 2), logs(3, 1L << 25, Rational(25)));
+    CHECK(order != Order::less);
+    CHECK(order != Order::greater);
+}
+
+TEST_CASE("the square of a ratio of degree 13 is not worked out") {
+    // mu^13 = mu + 1, which is irreducible (Selmer).
+    std::string text = "axiom A; M -> AB; interpret M -> F";
+    for (char letter = 'A'; letter < 'M'; ++letter) {
+        const std::string own(1, letter), next(1, static_cast<char>(letter + 1));
+        text += "; " + own + " -> " + next;
+        if (letter != 'F') text += "; interpret " + own + " -> F";
+    }
+    const Model system = read_lsystem(text, "");
+    const RecurrentSet set(system, *as_d0l(system));
+    CHECK_FALSE(ScalingRatio(set.displacement()).square());
+}
+
+TEST_CASE("letters that come back after three and four generations have one factor after twelve") {
+    // Both become twice as long in each generation on average: 16 times in four, 8 times in three.
+    const ExactDimension found = exact_dimension(
+        read_lsystem("axiom AP; A -> B; B -> C; C -> D; D -> AAAAAAAAAAAAAAAA; P -> Q; Q -> R; "
+                     "R -> PPPPPPPP; interpret A -> F; interpret B -> F; interpret C -> F; "
+                     "interpret D -> F; interpret P -> F; interpret Q -> F; interpret R -> F",
+                     ""));
+    CAPTURE(found.conditions.back());
+    REQUIRE(found.value);
+    CHECK(found.value->decimal(6) == "1.000000");
 }

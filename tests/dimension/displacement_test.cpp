@@ -336,3 +336,17 @@ TEST_CASE("the limit of plant d, whose lattice has numbers beyond every double, 
         // The lattice comes first.
     }
 }
+
+TEST_CASE("the moves of a piece are those of its word in the generation of its phase") {
+    // Koch's curve becomes three times as long from its beginning to its end in each generation.
+    const Model system = read_lsystem("axiom F; F -> F+F--F+F; angle 60", "");
+    const Unfolding found = unfolding(system, *as_d0l(system), 3);
+    const CyclotomicRing ring(found.order);
+    REQUIRE(system.alphabet.name(found.letters.front()) == "F");
+    REQUIRE(found.phases == 3);
+    for (std::size_t phase = 0; phase < 3; ++phase) {
+        CAPTURE(phase);
+        CHECK(std::abs(ring.to_complex(found.moves[phase * found.letters.size()])) ==
+              doctest::Approx(std::pow(3, static_cast<double>(found.preperiod + phase))));
+    }
+}

@@ -179,3 +179,30 @@ TEST_CASE("counting on the limit stops when it is asked to") {
     budget.memory = 100;
     CHECK_THROWS_AS(limit_counts(set, {}, budget), BoundReached);
 }
+
+TEST_CASE("a witness of a limit has every piece, and there is none without a limit") {
+    ExactDimension nothing;
+    nothing.status = ExactDimension::Status::exact;
+    CHECK_FALSE(limit_witness(nothing));
+    for (const char* text : {"axiom F; F -> F+F--F+F; angle 60",
+                             "axiom A; A -> A+B; B -> A-B; interpret A -> F; interpret B -> F"}) {
+        CAPTURE(text);
+        const ExactDimension found = exact_dimension(read_lsystem(text, ""));
+        const auto witness = limit_witness(found);
+        REQUIRE(witness);
+        CHECK(witness->pieces.size() == found.limit->size());
+    }
+}
+
+TEST_CASE("a witness shows no neighbours where another component is as large as different parts") {
+    // Of A, two of three parts coincide; B has as many different parts.
+    const ExactDimension found = exact_dimension(
+        read_lsystem("axiom A+B; A -> [A]AfA; B -> BfB; f -> fff; angle 90; interpret A -> F; "
+                     "interpret B -> F",
+                     ""));
+    CHECK(found.status == ExactDimension::Status::exact);
+    CHECK(found.value->decimal(6) == "0.630930");
+    const auto witness = limit_witness(found);
+    REQUIRE(witness);
+    CHECK_FALSE(witness->neighbours);
+}

@@ -335,3 +335,61 @@ TEST_CASE("a ratio that is one over a sum with 1 keeps the 1") {
         dimension_of("axiom F(1); F(x) -> F(x/(sqrt(2)+1))+(60)F(x*0.5)-(60)");
     CHECK(found.value->decimal(9).substr(0, 9) == "1.2611352");
 }
+
+TEST_CASE("inverse functions of angles are enclosed in degrees") {
+    const std::pair<const char*, double> cases[] = {
+        {"acos(0.3)", 72.54239687627790},
+        {"asin(0.3)", 17.45760312372210},
+        {"atan(0.3)", 16.69924423399362},
+    };
+    for (const auto& [text, value] : cases) {
+        CAPTURE(text);
+        CHECK(enclosure(read_expression(text), 100).midpoint() ==
+              doctest::Approx(value).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("states are named by all of their parameters, and the largest growth is found") {
+    // Lengths of the third kind are multiplied by 0.6 + 0.7 in each generation, those of others by less.
+    const RatioGraph graph = ratio_graph(
+        read_lsystem("axiom F(1,1)F(1,2)F(1,3); F(x,k) : k = 1 -> F(x/10,1)F(x,3); "
+                     "F(x,k) : k = 2 -> F(x/10,2)F(x,3); F(x,k) : k = 3 -> F(x*0.6,3)F(x*0.7,3)",
+                     ""));
+    std::vector<std::string> names;
+    for (const RatioGraph::State& state : graph.states) names.push_back(state.name);
+    CHECK(names == std::vector<std::string>{"F(*,1)", "F(*,2)", "F(*,3)"});
+    CHECK(WayGrowth(graph).enclosure(40).midpoint() == doctest::Approx(1.3).epsilon(1e-9));
+}
+
+TEST_CASE("a symbol that draws to points has no ratios") {
+    CHECK_THROWS_WITH_AS(ratio_graph(read_lsystem("axiom F(1,1); F(x,y) -> F(x,y/2); plot F", "")),
+                         "the symbol F draws to points that it names", Error);
+}
+
+TEST_CASE("parts are told apart, and seen to coincide, by turns, ways and ratios of all kinds") {
+    const std::string apart = "exact", same = "parts coincide, so it is an upper bound";
+    const std::pair<std::string, std::string> cases[] = {
+        // Turns finer than those of the fields: a half turn is not none.
+        {"F(x) -> [+(180)f(x/4)F(x/8)][f(x/4)F(x/8)]f(x)[+(0.3)f(x/4)F(x/8)]; f(x) -> f(x)", apart},
+        // The finest turns of the fields: three steps around a triangle lead back.
+        {"F(x) -> [F(x/8)][f(x/4)+(120)f(x/4)+(120)f(x/4)+(120)F(x/8)]f(x)[+(0.4)f(x/4)F(x/8)]; "
+         "f(x) -> f(x)",
+         same},
+        // A ratio outside the fields stands between two parts that are the same.
+        {"F(x) -> [f(x/4)F(x/8)][-(90)f(x/4)F(x*2^(1/3)/16)][f(x/4)F(x/8)]f(x); f(x) -> f(x)",
+         same},
+        // Two kinds of steps are as long as each other.
+        {"F(x,k) -> [f(x/4,1)F(x/8,1)][f(x/4,2)F(x/8,1)]f(x,1); f(x,k) : k = 1 -> "
+         "f(x/2,1)f(x/2,2); "
+         "f(x,k) : k = 2 -> f(x/4,1)f(x*3/4,2)",
+         same},
+        // A part is the half of a larger one.
+        {"F(x) -> [F(x/4)]F(x/2)F(x/2)", same},
+    };
+    for (const auto& [rules, expected] : cases) {
+        CAPTURE(rules);
+        const std::string axiom = rules.starts_with("F(x,k)") ? "axiom F(1,1); " : "axiom F(1); ";
+        const ExactDimension found = dimension_of(axiom + rules);
+        CHECK((found.status == Status::exact ? "exact" : found.conditions.back()) == expected);
+    }
+}

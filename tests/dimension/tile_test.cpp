@@ -434,3 +434,56 @@ TEST_CASE("outlines are polygons as large as the area, and do not overlap") {
     for (const auto& outline : outlines)
         CHECK(area(outline) == doctest::Approx(cell).epsilon(0.05));
 }
+
+TEST_CASE("the disc around discs has the middle of their box") {
+    const auto found = around({{{0, 1}, 0}, {{0, 3}, 0}, {{4, 2}, 1}});
+    CHECK(std::abs(found.centre - Complex{2.5, 2}) < 1e-12);
+    CHECK(found.radius == doctest::Approx(std::hypot(2.5, 1)));
+}
+
+TEST_CASE("the disc of a square is hardly larger than the square") {
+    LatticeSet square;
+    square.scale = {{{2, 0, 0}, {0, 2, 0}, {}}};
+    square.places = {{{1, 0}, {0, 1}, {}}};
+    square.linear = {2, 0, 0, 2};
+    square.parts = {{{0, {0, 0, 0}}, {0, {1, 0, 0}}, {0, {0, 1, 0}}, {0, {1, 1, 0}}}};
+    const auto discs = discs_of(square);
+    REQUIRE(discs.size() == 1);
+    CHECK(std::abs(discs[0].centre - Complex{0.5, 0.5}) < 1e-3);
+    CHECK(discs[0].radius >= std::sqrt(0.5));
+    CHECK(discs[0].radius < 0.71);
+
+    square.linear = {3, 0, 0, 0.9};
+    CHECK_THROWS_WITH_AS(discs_of(square), "some distances do not become smaller in parts", Error);
+    square.linear = {2, 0, 0, 2};
+    square.rank = 3;
+    CHECK_THROWS_WITH_AS(boundary_dimension(square), "the lattice lies densely in the plane",
+                         Error);
+}
+
+TEST_CASE("a cell is measured by the axiom's first part where its way is closed by a branch") {
+    const std::string rules = "; A -> A+B; B -> A-B; interpret A -> F; interpret B -> F; angle 90";
+    const LatticeSet open = limit("axiom A" + rules), closed = limit("axiom [A]" + rules);
+    REQUIRE(open.cell_square);
+    REQUIRE(closed.cell_square);
+    CHECK(*closed.cell_square == *open.cell_square);
+    CHECK(closed.unit ==
+          "the square of the distance from the beginning of its first part to its end");
+}
+
+TEST_CASE("parallelograms lie in a lattice that does not turn, whose basis is short") {
+    // The lattice is that of 7 + z and 17 + 2z, with z = e^(72 i); its shortest vectors are not those.
+    const std::string one = "fffffff+f-", two = "fffffffffffffffff+ff-";
+    const LatticeSet found = limit("axiom A; A -> [A][" + one + "A][" + two + "A][" + one + two +
+                                   "A]; f -> ff; interpret A -> F; angle 72");
+    const Complex first{found.places[0].x, found.places[0].y};
+    const Complex second{found.places[1].x, found.places[1].y};
+    CHECK(std::abs(found.determinant()) == 4);
+    CHECK(std::abs(second) >= std::abs(first) * (1 - 1e-6));
+    CHECK(2 * std::abs((second / first).real()) <= 1 + 1e-6);
+}
+
+TEST_CASE("a set whose parts are all in one place lies in no lattice") {
+    CHECK_THROWS_WITH_AS(limit("axiom A; A -> [A]f; f -> ff; interpret A -> F"),
+                         "positions lie in no lattice of the plane", Error);
+}

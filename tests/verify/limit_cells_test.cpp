@@ -341,7 +341,7 @@ TEST_CASE("pairs in cells: random parts" * doctest::test_suite("long")) {
         return static_cast<int>(generator() % static_cast<unsigned>(bound));
     };
     std::size_t sets = 0, refused = 0;
-    while (sets < 100) {
+    while (sets < 40) {
         Whole whole{below(2) == 0 ? 4 : 6, 1 + below(3), below(3), {}};
         for (int i = 2 + below(3); i > 0; --i)
             whole.parts.push_back({below(whole.order), below(5) - 2, below(5) - 2});

@@ -235,3 +235,17 @@ TEST_CASE("what has no lattice has the bound of its ratios") {
         dimension_bounds(read_lsystem("axiom F; F -> F*F; scale 1/2", ""), BoundsSearch(), {}),
         Error);
 }
+
+TEST_CASE("a dust whose parts are near each other but never meet has bounds that close") {
+    // The discs of the first two parts meet, those of their parts do not. No smaller cells change anything
+    // then, so the search ends where they are too many, whatever is asked for.
+    const Model dust = read_lsystem("axiom F; F -> FF[ffffff+F]ff; f -> ffff; angle 60", "a.lsys");
+    const double exact = std::log(3) / std::log(4);
+    BoundsSearch search;
+    search.is_enough = [](const DimensionBounds&) { return false; };
+    const DimensionBounds found =
+        dimension_bounds(RecurrentSet(dust, *as_d0l(dust)), search, false, {});
+    CHECK(found.low.to_double() <= exact);
+    CHECK(found.high.to_double() >= exact);
+    CHECK(found.width() <= Rational("0.000000002"));
+}

@@ -206,3 +206,92 @@ TEST_CASE("a witness shows no neighbours where another component is as large as 
     REQUIRE(witness);
     CHECK_FALSE(witness->neighbours);
 }
+
+TEST_CASE("lines of the limit touch as many cells as their length says") {
+    // A segment of L cells touches 1 + 4 L / pi of them in the mean over all places and turns (Buffon),
+    // and a T of two segments about as many: a few cells at the joint are counted twice here.
+    struct Lines {
+        const char* text;
+        double length, size, more;
+    };
+    for (const auto& [text, length, size, more] :
+         {Lines{"axiom F; F -> FF; f -> ff", 1, 1, 0.2},
+          Lines{"axiom [FF][f-FFFFFFFF]; F -> FF; f -> ff", 10, 8, 3}}) {
+        CAPTURE(text);
+        const Model system = read_lsystem(text, "");
+        LimitCounting counting;
+        counting.places = 300;
+        counting.most_cells = 200;
+        const BoxCounts found = limit_counts(RecurrentSet(system, *as_d0l(system)), counting).boxes;
+        REQUIRE(found.counts.size() >= 3);
+        for (std::size_t scale = 0; scale < 3; ++scale) {
+            const double expected =
+                1 + 4 / std::numbers::pi * length / size / found.scales.cell(scale);
+            CAPTURE(scale);
+            CHECK(std::abs(found.mean(scale) - expected) < more + 0.01 * expected);
+        }
+    }
+}
+
+TEST_CASE("boxes do not depend on where the parts of a set begin, nor on how often each is drawn") {
+    // Cantor's set, within a line, at its end, and at its beginning.
+    const auto boxes = [](const char* text, bool coinciding) {
+        const Model system = read_lsystem(text, "");
+        LimitCounting counting;
+        counting.places = 300;
+        counting.most_cells = 200;
+        counting.coinciding = coinciding;
+        return limit_counts(RecurrentSet(system, *as_d0l(system)), counting).boxes;
+    };
+    const BoxCounts whole = boxes("axiom F; F -> FfF; f -> fff", false);
+    for (const char* text :
+         {"axiom F; F -> fFF; f -> fff", "axiom F; F -> FFf; f -> fff",
+          "axiom F; F -> [fF][F]FFf; f -> fff", "axiom F; F -> [F]FfF; f -> fff"})
+        for (const bool coinciding : {false, true}) {
+            CAPTURE(text);
+            CAPTURE(coinciding);
+            const BoxCounts found = boxes(text, coinciding);
+            REQUIRE(found.counts.size() == whole.counts.size());
+            for (std::size_t scale = 0; scale < whole.counts.size(); ++scale)
+                CHECK(found.mean(scale) == doctest::Approx(whole.mean(scale)).epsilon(0.04));
+        }
+}
+
+TEST_CASE("counts that are sums of powers are fitted exactly") {
+    LimitCounts limit;
+    BoxCounts& boxes = limit.boxes;
+    boxes.scales.ratio = 10;
+    boxes.scales.coarsest = 0.5;
+    boxes.scales.count = 12;
+    for (std::size_t scale = 0; scale < boxes.scales.count; ++scale) {
+        double sum = 0;
+        for (const auto& [share, rate] : {std::pair(3, 10), {1, 2}, {5, 7}, {4, 6}, {2, 5}})
+            sum += share * std::pow(rate, scale);
+        boxes.counts.emplace_back(4, static_cast<std::uint64_t>(std::llround(sum)));
+    }
+    // The boundary and three further terms are taken out, the largest ones.
+    LowerTerms lower;
+    lower.rates = {Rate(7), Rate(6), Rate(5), Rate(4), Rate(3)};
+    const BoxFit fit = fit_limit(limit, Rate(2), 2, lower);
+    REQUIRE(fit.estimate);
+    CHECK(fit.estimate->value == doctest::Approx(1));
+    CHECK(fit.because.find("in the same way 7, 6, 5 from") != std::string::npos);
+    // 3 * 10^j are 3 * coarsest / cell.
+    CHECK(std::exp(fit.intercept) == doctest::Approx(3 * boxes.scales.coarsest));
+}
+
+TEST_CASE("slopes that come nearer by half each time are followed to their end") {
+    LimitCounts limit;
+    BoxCounts& boxes = limit.boxes;
+    boxes.scales.ratio = 2;
+    boxes.scales.coarsest = 0.125;
+    double count = 1e9;
+    for (const double slope : {1.3, 1.4, 1.45, 0.0}) {
+        boxes.counts.emplace_back(4, static_cast<std::uint64_t>(count));
+        count *= std::pow(2, slope);
+    }
+    boxes.scales.count = boxes.counts.size();
+    const BoxFit fit = fit_limit(limit, std::nullopt, 2, {});
+    REQUIRE(fit.estimate);
+    CHECK(fit.estimate->value == doctest::Approx(1.5).epsilon(1e-6));
+}

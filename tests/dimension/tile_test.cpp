@@ -435,6 +435,52 @@ TEST_CASE("outlines are polygons as large as the area, and do not overlap") {
         CHECK(area(outline) == doctest::Approx(cell).epsilon(0.05));
 }
 
+TEST_CASE("each neighbour of a periodic tile has its own outline") {
+    Digits digits{1, 3, {{0, 0}, {1, 0}, {2, 0}}};
+    const Tile found = tile(digits.set());
+    REQUIRE(found.is_periodic);
+    REQUIRE(found.neighbours.size() == 6);
+    const auto outlines = tile_outlines(found, 300);
+    REQUIRE(outlines.size() == 7);
+    const auto middle = [](const std::vector<Point>& polygon) {
+        double x = 0, y = 0, sum = 0;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+            const double part = a.x * b.y - a.y * b.x;
+            sum += part;
+            x += (a.x + b.x) * part;
+            y += (a.y + b.y) * part;
+        }
+        return Point{x / (3 * sum), y / (3 * sum)};
+    };
+    const Point own = middle(outlines[0]);
+    const LatticeSet& set = found.set;
+    for (std::size_t k = 0; k < found.neighbours.size(); ++k) {
+        const Point its = middle(outlines[k + 1]);
+        const auto& by = found.neighbours[k].by;
+        const double x = static_cast<double>(by[0]) * set.places[0].x +
+                         static_cast<double>(by[1]) * set.places[1].x,
+                     y = static_cast<double>(by[0]) * set.places[0].y +
+                         static_cast<double>(by[1]) * set.places[1].y;
+        CHECK(std::hypot(its.x - own.x - x, its.y - own.y - y) < 0.1);
+    }
+}
+
+TEST_CASE("a triangle with a line on it is no tile") {
+    const Tile found =
+        tile_of("axiom FL; F -> [F][+f-F][f+f++F]fF; f -> ff; L -> LL; angle 60; interpret L -> F");
+    CHECK(found.is_tile.answer != Answer::yes);
+}
+
+TEST_CASE("squares that touch at a corner are no disc") {
+    const Tile found = tile_of("axiom F; F -> [F][ff+F][ff+ff-F][ffff+ffF]ff; f -> ff; angle 90");
+    CHECK(found.is_tile.answer == Answer::yes);
+    CHECK(found.connected.answer == Answer::yes);
+    CHECK(found.disk_like.answer == Answer::no);
+    CHECK(found.disk_like.because == "without one of its points it is not connected");
+    CHECK(found.interior_connected.answer == Answer::no);
+}
+
 TEST_CASE("the disc around discs has the middle of their box") {
     const auto found = around({{{0, 1}, 0}, {{0, 3}, 0}, {{4, 2}, 1}});
     CHECK(std::abs(found.centre - Complex{2.5, 2}) < 1e-12);

@@ -133,6 +133,13 @@ struct Ended {
     std::uint64_t peak = 0;  // bytes
 };
 
+/// The most that this program has held, which its children are said to have held too.
+std::uint64_t own_peak() {
+    struct rusage used = {};
+    getrusage(RUSAGE_SELF, &used);
+    return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
+}
+
 /// Runs a command and measures the most it held.
 Ended measured(const std::string& command) {
     const pid_t child = fork();
@@ -162,6 +169,8 @@ TEST_CASE("whatever an input asks for, the bound of memory holds" *
     constexpr std::uint64_t most = bound + bound / 5 + (std::uint64_t{100} << 20);
     std::uint64_t greatest = 0;
     int count = 0;
+    const bool peaks_are_seen = own_peak() < most;  // not where sanitizers hold more
+    if (!peaks_are_seen) MESSAGE("PEAKS ARE NOT SEEN: this program holds more itself");
     for (const Bomb& bomb : bombs()) {
         INFO(bomb.arguments.substr(0, 200));
         const Scratch files, out;
@@ -172,7 +181,7 @@ TEST_CASE("whatever an input asks for, the bound of memory holds" *
             " --max-memory 100M --timeout 2 >/dev/null 2>'" + files.file("err") + "'";
         const Ended ended = measured(command);
         CHECK((ended.status == 0 || ended.status == 1 || ended.status == 2 || ended.status == 3));
-        CHECK(ended.peak <= most);
+        if (peaks_are_seen) CHECK(ended.peak <= most);
         const std::string said = text_of(files.file("err"));
         const bool is_list =
             bomb.arguments.starts_with("list");  // says below its words that they are not all

@@ -203,3 +203,47 @@ TEST_CASE("letters that come back after three and four generations have one fact
     REQUIRE(found.value);
     CHECK(found.value->decimal(6) == "1.000000");
 }
+
+TEST_CASE("a rate that the divisor does not divide stays above it") {
+    const ScalingRatio two(Integer(2));
+    const Rate golden(Polynomial({-1, -1, 1}), Rational(2));  // (1 + sqrt 5) / 2
+    const Rate twice(Polynomial({-4, -2, 1}), Rational(4));
+    CHECK(ExpectedRatio(golden, 2, two).average() == "((1+sqrt(5))/2)/2");
+    CHECK(ExpectedRatio(golden, 2, two).decimal(6) == "-0.305758");
+    CHECK(ExpectedRatio(twice, 2, two).average() == "(1+sqrt(5))/2");
+    CHECK(ExpectedRatio(twice, 4, two).average() == "((1+sqrt(5))/2)/2");
+    CHECK(ExpectedRatio(twice, 4, two).decimal(6) == "-0.305758");
+}
+
+TEST_CASE("each dimension of a carpet is that of its formula") {
+    using Kind = CarpetDimension::Kind;
+    // Two columns of three kept in one line of three, one in another (McMullen 1984; Mackay 2011; Fraser 2014).
+    const auto decimal = [](Kind kind) { return CarpetDimension(kind, 2, 3, {1, 2}).decimal(6); };
+    CHECK(decimal(Kind::hausdorff) == "1.349684");
+    CHECK(decimal(Kind::box) == "1.369070");
+    CHECK(decimal(Kind::assouad) == "1.630930");
+    CHECK(decimal(Kind::lower) == "1.000000");
+}
+
+TEST_CASE("a matrix of ratios without growth has no m") {
+    const Expression third = quantity(Rational(1, 3)).expression;
+    const RatioSum sum(2, {{0, 0, third}, {0, 1, third}, {1, 0, third}, {1, 1, third}});
+    CHECK(sum.text() == "the matrix of 2 by 2 sums of ratio^s has the spectral radius 1");
+    CHECK(sum.decimal(6) == "0.630930");
+    const RatioSum one(1, {{0, 0, quantity(Rational(1, 4)).expression}, {0, 0, third}});
+    CHECK(one.text() == "0.25^s + (1/3)^s = 1");
+}
+
+TEST_CASE("a ratio whose square is not known makes no multiple of a logarithm") {
+    std::string text = "axiom A; M -> AB; interpret M -> F";
+    for (char letter = 'A'; letter < 'M'; ++letter) {
+        const std::string own(1, letter), next(1, static_cast<char>(letter + 1));
+        text += "; " + own + " -> " + next;
+        if (letter != 'F') text += "; interpret " + own + " -> F";
+    }
+    const Model system = read_lsystem(text, "");
+    const RecurrentSet set(system, *as_d0l(system));
+    const ScalingRatio ratio(set.displacement());
+    REQUIRE_FALSE(ratio.square());
+    CHECK_FALSE(DimensionValue::of(LogRatio(Rate(Integer(5)), ratio)));
+}

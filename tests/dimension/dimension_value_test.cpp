@@ -204,6 +204,18 @@ TEST_CASE("letters that come back after three and four generations have one fact
     CHECK(found.value->decimal(6) == "1.000000");
 }
 
+TEST_CASE("letters that come back after two and five generations have one factor after ten") {
+    const ExactDimension found = exact_dimension(read_lsystem(
+        "axiom AP; A -> B; B -> AAAA; P -> Q; Q -> R; R -> S; S -> T; T -> " +
+            std::string(32, 'P') +
+            "; interpret A -> F; interpret B -> F; interpret P -> F; interpret Q -> F; "
+            "interpret R -> F; interpret S -> F; interpret T -> F",
+        ""));
+    CAPTURE(found.conditions.back());
+    REQUIRE(found.value);
+    CHECK(found.value->decimal(6) == "1.000000");
+}
+
 TEST_CASE("a rate that the divisor does not divide stays above it") {
     const ScalingRatio two(Integer(2));
     const Rate golden(Polynomial({-1, -1, 1}), Rational(2));  // (1 + sqrt 5) / 2

@@ -271,6 +271,7 @@ private:
                 out_.is_regular = is_alone(component);
                 return all;
             }
+            meets_unknown_ = true;  // another component's meeting is not that of the whole
             const DistinctGrowth distinct =
                 distinct_growth(set_, component, neighbours, budget_, ways_);
             out_.conditions.push_back("parts coincide; different ones, told apart by " +

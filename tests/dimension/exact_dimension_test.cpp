@@ -279,3 +279,28 @@ TEST_CASE(
     CHECK_FALSE(several.boundary);
     CHECK_FALSE(several.limit);
 }
+
+TEST_CASE("curves that become themselves after ten generations have their dimension") {
+    std::string text = "axiom A; ", draws;
+    const std::string letters = "ABCDEGHIJK";
+    for (std::size_t k = 0; k < letters.size(); ++k) {
+        const std::string next(1, letters[(k + 1) % letters.size()]);
+        text += letters.substr(k, 1) + " -> " + (k + 1 < letters.size() ? next : "A+A--A+A") + "; ";
+        draws += "; interpret " + letters.substr(k, 1) + " -> F";
+    }
+    const ExactDimension found = exact_dimension(read_lsystem(text + "angle 60" + draws, ""));
+    CHECK(found.value->decimal(9) == "1.261859507");
+}
+
+TEST_CASE("the rate at which parts meet is not known where those of another component coincide") {
+    for (const char* text :
+         {"axiom FfffffG; F -> F+F--F+F; G -> [G][G]f[G]f[G]f; f -> fff; angle 60",
+          "axiom GfffffF; F -> F+F--F+F; G -> [G][G]f[G]f[G]f; f -> fff; angle 60",
+          "axiom GfffffF; G -> G+G--G+G; F -> [F][F]f[F]f[F]f; f -> fff; angle 60"}) {
+        CAPTURE(text);
+        const ExactDimension found =
+            exact_dimension(read_lsystem(std::string(text) + "; interpret G -> F", ""));
+        CHECK(found.value->text() == "log 4 / log 3");
+        CHECK_FALSE(found.meeting);
+    }
+}

@@ -294,4 +294,55 @@ TEST_CASE("slopes that come nearer by half each time are followed to their end")
     const BoxFit fit = fit_limit(limit, std::nullopt, 2, {});
     REQUIRE(fit.estimate);
     CHECK(fit.estimate->value == doctest::Approx(1.5).epsilon(1e-6));
+    // Three slopes lie between the last four scales.
+    CHECK(fit.first == 0);
+    CHECK(fit.last == 3);
+}
+
+TEST_CASE("counts of two places have an error, and a fit says what was taken out of it") {
+    // (5 + 3 j) 10^j + 2^j: two components of the rate 10 follow on each other, and parts meet with 2.
+    LimitCounts chain, slow;
+    for (LimitCounts* limit : {&chain, &slow}) {
+        limit->boxes.scales.ratio = 10;
+        limit->boxes.scales.count = 10;
+        for (std::size_t scale = 0; scale < limit->boxes.scales.count; ++scale) {
+            const double j = static_cast<double>(scale);
+            const double sum = limit == &chain
+                                   ? (5 + 3 * j) * std::pow(10, j) + std::pow(2, j)
+                                   : 3 * std::pow(10, j) + std::pow(2, j) + 5 * std::pow(7, j);
+            limit->boxes.counts.emplace_back(2, static_cast<std::uint64_t>(std::llround(sum)));
+        }
+    }
+    LowerTerms follow, slower;
+    follow.chain = 2;
+    follow.largest = Rate(10);
+    slower.chain = 1;
+    slower.rates = {Rate(7)};
+    const BoxFit one = fit_limit(chain, Rate(2), 2, follow);
+    const BoxFit other = fit_limit(slow, Rate(2), 2, slower);
+    for (const BoxFit* fit : {&one, &other}) {
+        REQUIRE(fit->estimate);
+        CHECK(fit->estimate->value == doctest::Approx(1).epsilon(1e-6));
+        CHECK(fit->estimate->high - fit->estimate->low < 1e-3);
+    }
+    CHECK(one.because.ends_with("in the same way 10 from components that follow on each other"));
+    CHECK(other.because.ends_with("in the same way 7 from components that multiply more slowly"));
+}
+
+TEST_CASE("the error of two places is half of what their slopes differ by") {
+    LimitCounts limit;
+    BoxCounts& boxes = limit.boxes;
+    boxes.scales.ratio = 2;
+    for (std::size_t scale = 0; scale < 8; ++scale) {
+        boxes.counts.emplace_back();
+        for (const double slope : {1.2, 1.3})
+            boxes.counts.back().push_back(
+                static_cast<std::uint64_t>(1e6 * std::pow(2, slope * static_cast<double>(scale))));
+    }
+    boxes.scales.count = boxes.counts.size();
+    const BoxFit fit = fit_limit(limit, std::nullopt, 2, {});
+    REQUIRE(fit.estimate);
+    // Three errors of 0.05.
+    CHECK(fit.estimate->value - fit.estimate->low > 0.149);
+    CHECK(fit.estimate->high - fit.estimate->value > 0.149);
 }

@@ -385,6 +385,16 @@ TEST_CASE("parts are told apart, and seen to coincide, by turns, ways and ratios
          same},
         // A part is the half of a larger one.
         {"F(x) -> [F(x/4)]F(x/2)F(x/2)", same},
+        // Two parts are the same, far from where the whole begins.
+        {"F(x) -> [f(x/2)F(x/8)][f(x/2)F(x/8)][f(x/2)-(90)f(x/8)F(x/8)]f(x); f(x) -> f(x)", same},
+        // A part of the first part is the third, by products of a ratio outside the fields.
+        {"F(x) -> [F(x/2)][f(x/3)F(x*2^(1/3)/4)][f(x/6)F(x*2^(1/3)/8)]f(x); f(x) -> f(x)", same},
+        // Three kinds of parts begin in one place: only the second and the third have a part in common.
+        {"F(x,k) : k = 1 -> [F(x/4,2)][F(x/4,3)][F(x/4,4)]f(x,1); "
+         "F(x,k) : k = 2 -> [F(x/8,1)][f(x/2,1)F(x/8,1)]f(x,1); "
+         "F(x,k) : k = 3 -> [f(x/4,1)F(x/8,1)][f(x*3/4,1)F(x/8,1)]f(x,1); "
+         "F(x,k) : k = 4 -> [f(x/4,1)F(x/8,1)]f(x,1); f(x,k) -> f(x,k)",
+         same},
     };
     for (const auto& [rules, expected] : cases) {
         CAPTURE(rules);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <map>
@@ -464,6 +465,41 @@ TEST_CASE("each neighbour of a periodic tile has its own outline") {
                          static_cast<double>(by[1]) * set.places[1].y;
         CHECK(std::hypot(its.x - own.x - x, its.y - own.y - y) < 0.1);
     }
+}
+
+TEST_CASE("a tile that lies far from the origin has the outline of the same tile nearby") {
+    // With c more in each digit all moves by c / (nu - 1).
+    const std::int64_t more = 50;
+    const Digits near{2, 2, {{0, 0}, {1, 0}}}, far{2, 2, {{more, 0}, {more + 1, 0}}};
+    const Complex by = static_cast<double>(more) / (near.factor() - 1.0);
+    const Tile first = tile(near.set()), second = tile(far.set());
+    const auto sides = [](const std::vector<Point>& polygon) {
+        std::array<double, 4> found{INFINITY, -INFINITY, INFINITY, -INFINITY};
+        for (const Point at : polygon)
+            found = {std::min(found[0], at.x), std::max(found[1], at.x), std::min(found[2], at.y),
+                     std::max(found[3], at.y)};
+        return found;
+    };
+    const auto own = sides(tile_outlines(first, 100).front());
+    const auto moved = sides(tile_outlines(second, 100).front());
+    const double pixels = 3 * (own[1] - own[0]) / 100;
+    for (std::size_t k = 0; k < 4; ++k)
+        CHECK(std::abs(moved[k] - own[k] - (k < 2 ? by.real() : by.imag())) < pixels);
+}
+
+TEST_CASE("outlines stop when they are asked to") {
+    const Tile found = tile(Digits{2, 2, {{0, 0}, {1, 0}}}.set());
+    std::atomic<bool> stop = true;
+    Budget budget;
+    budget.stop = &stop;
+    CHECK_THROWS_AS(tile_outlines(found, 200, budget), Interrupted);
+}
+
+TEST_CASE("a product of two linear tiles with gaps is not connected") {
+    // nu = sqrt(-3) makes A x A, where A has the digits 0, 1 and 5 to the base -3 and is no interval.
+    const Tile found = tile(Digits{0, 3, {{0, 0}, {1, 0}, {5, 0}}}.set());
+    CHECK(found.is_tile.answer == Answer::yes);
+    CHECK(found.connected.answer == Answer::no);
 }
 
 TEST_CASE("a triangle with a line on it is no tile") {

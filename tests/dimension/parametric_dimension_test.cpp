@@ -389,6 +389,22 @@ TEST_CASE("parts are told apart, and seen to coincide, by turns, ways and ratios
         {"F(x) -> [f(x/2)F(x/8)][f(x/2)F(x/8)][f(x/2)-(90)f(x/8)F(x/8)]f(x); f(x) -> f(x)", same},
         // A part of the first part is the third, by products of a ratio outside the fields.
         {"F(x) -> [F(x/2)][f(x/3)F(x*2^(1/3)/4)][f(x/6)F(x*2^(1/3)/8)]f(x); f(x) -> f(x)", same},
+        // The first part is as small as the second three generations later, as far away or not.
+        {"F(x,k) : k = 1 -> [F(x/2,2)][F(x/64,5)]f(x,1); "
+         "F(x,k) : k = 2 -> [f(x/128,1)F(x/2,3)]f(x,1); F(x,k) : k = 3 -> [F(x/2,4)]f(x,1); "
+         "F(x,k) : k = 4 -> [F(x/64,1)]f(x,1); F(x,k) : k = 5 -> "
+         "[F(x/64,1)][f(x/4,1)F(x/2,6)]f(x,1); "
+         "F(x,k) : k = 6 -> [F(x/2,7)]f(x,1); F(x,k) : k = 7 -> [F(x/2,1)]f(x,1); "
+         "f(x,k) -> f(x*2^(1/3),k)",
+         same},
+        {"F(x,k) : k = 1 -> [F(x/2,2)][F(x/64,5)]f(x,1); "
+         "F(x,k) : k = 2 -> [f(x/128/2^(1/3),1)F(x/2,3)]f(x,1); F(x,k) : k = 3 -> "
+         "[F(x/2,4)]f(x,1); "
+         "F(x,k) : k = 4 -> [F(x/64,1)]f(x,1); F(x,k) : k = 5 -> "
+         "[F(x/64,1)][f(x/4,1)F(x/2,6)]f(x,1); "
+         "F(x,k) : k = 6 -> [F(x/2,7)]f(x,1); F(x,k) : k = 7 -> [F(x/2,1)]f(x,1); "
+         "f(x,k) -> f(x*2^(1/3),k)",
+         apart},
         // Three kinds of parts begin in one place: only the second and the third have a part in common.
         {"F(x,k) : k = 1 -> [F(x/4,2)][F(x/4,3)][F(x/4,4)]f(x,1); "
          "F(x,k) : k = 2 -> [F(x/8,1)][f(x/2,1)F(x/8,1)]f(x,1); "

@@ -1,3 +1,4 @@
+#include "exact/detail/flint.hpp"
 #include "exact/exact.hpp"
 
 #include <algorithm>
@@ -124,7 +125,11 @@ void each_part(std::size_t count, unsigned threads, const Budget& budget,
     std::vector<std::thread> others;
     others.reserve(most);
     try {
-        while (others.size() + 1 < most) others.emplace_back(run);
+        while (others.size() + 1 < most)
+            others.emplace_back([&run] {
+                run();
+                flint_cleanup();  // what FLINT keeps for a thread is lost with it otherwise
+            });
     } catch (const std::system_error&) {
         // The system gives no more of them; those that are there do all parts.
     }

@@ -4,7 +4,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <type_traits>
+#include <vector>
 
 using namespace algae;
 
@@ -76,4 +78,26 @@ TEST_CASE("a stop of one part, or of making a worker, stops all parts whatever t
         const auto no_worker = []() -> PartWorker { throw Interrupted(); };
         CHECK_THROWS_AS(each_part(1000, threads, {}, no_worker), Interrupted);
     }
+}
+
+TEST_CASE("threads that have ended keep nothing of the numbers they worked with") {
+    const auto resident = [] {  // MiB
+        std::size_t whole = 0, pages = 0;
+        std::ifstream("/proc/self/statm") >> whole >> pages;
+        return pages >> 8;
+    };
+    const auto work = [] {
+        return [](std::size_t) { const std::vector<Integer> large(100, power(Integer(3), 500)); };
+    };
+    const auto rounds = [&](int count) {
+        for (int i = 0; i < count; ++i)
+            each_part(64, 4, {}, [&]() -> PartWorker { return work(); });
+    };
+    rounds(100);
+    const std::size_t before = resident();
+    rounds(4000);
+    const std::size_t after = resident();
+    CAPTURE(before);
+    CAPTURE(after);
+    CHECK(after < before + 400);  // sanitizers keep 256 MiB of what is given back
 }

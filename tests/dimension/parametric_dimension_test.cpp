@@ -361,6 +361,18 @@ TEST_CASE("states are named by all of their parameters, and the largest growth i
     CHECK(WayGrowth(graph).enclosure(40).midpoint() == doctest::Approx(1.3).epsilon(1e-9));
 }
 
+TEST_CASE("numbers of conditions are known through chains of rules, at all places") {
+    const RatioGraph graph =
+        ratio_graph(read_lsystem("axiom A(5,1)F(1)D; A(j,k) -> B(j,k); B(j,k) -> C(j,k); "
+                                 "C(j,k) : k = 1 -> C(j,k); F(x) -> F(x/2)F(x/2)",
+                                 ""));
+    std::vector<std::string> names;
+    for (const RatioGraph::State& state : graph.states) names.push_back(state.name);
+    CHECK(names == std::vector<std::string>{"A(*,1)", "F(*)", "D", "B(*,1)", "C(*,1)"});
+    CHECK_THROWS_WITH_AS(ratio_graph(read_lsystem("axiom F(1)*(2); F(x) -> F(x/2)", "")),
+                         "the symbol * changes the turtle's step", Error);
+}
+
 TEST_CASE("a symbol that draws to points has no ratios") {
     CHECK_THROWS_WITH_AS(ratio_graph(read_lsystem("axiom F(1,1); F(x,y) -> F(x,y/2); plot F", "")),
                          "the symbol F draws to points that it names", Error);

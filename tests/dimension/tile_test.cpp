@@ -563,6 +563,23 @@ TEST_CASE("the disc of a square is hardly larger than the square") {
                          Error);
 }
 
+TEST_CASE("a set without interior, and one that is sheared, have no dimension of the boundary") {
+    LatticeSet set;
+    set.scale = {{{2, 0, 0}, {0, 2, 0}, {}}};
+    set.places = {{{1, 0}, {0, 1}, {}}};
+    set.linear = {2, 0, 0, 2};
+    set.parts = {{{0, {0, 0, 0}}, {0, {1, 0, 0}}, {0, {0, 1, 0}}}};
+    set.shapes = {0};
+    set.whole = {{0, {}}};
+    CHECK_FALSE(boundary_dimension(set));  // a triangle of Sierpinski
+    set.parts[0].push_back({0, {1, 1, 0}});
+    CHECK(boundary_dimension(set));  // a square
+    set.scale[1] = {1, 2, 0};
+    set.linear = {2, 1, 0, 2};
+    CHECK_THROWS_WITH_AS(boundary_dimension(set), "the whole is not similar to what it is made of",
+                         Error);
+}
+
 TEST_CASE("a cell is measured by the axiom's first part where its way is closed by a branch") {
     const std::string rules = "; A -> A+B; B -> A-B; interpret A -> F; interpret B -> F; angle 90";
     const LatticeSet open = limit("axiom A" + rules), closed = limit("axiom [A]" + rules);

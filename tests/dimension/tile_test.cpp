@@ -602,6 +602,16 @@ TEST_CASE("parallelograms lie in a lattice that does not turn, whose basis is sh
     CHECK(2 * std::abs((second / first).real()) <= 1 + 1e-6);
 }
 
+TEST_CASE("a lattice with one vector much longer than the other is one of the plane") {
+    const std::string one = "f", two = "+" + std::string(1100, 'f') + "-";
+    const LatticeSet found = limit("axiom A; A -> [A][" + one + "A][" + two + "A][" + one + two +
+                                   "A]; f -> ff; interpret A -> F; angle 90");
+    const Complex first{found.places[0].x, found.places[0].y};
+    const Complex second{found.places[1].x, found.places[1].y};
+    CHECK(std::abs(found.determinant()) == 4);
+    CHECK(std::abs(second) == doctest::Approx(1100 * std::abs(first)));
+}
+
 TEST_CASE("a set whose parts are all in one place lies in no lattice") {
     CHECK_THROWS_WITH_AS(limit("axiom A; A -> [A]f; f -> ff; interpret A -> F"),
                          "positions lie in no lattice of the plane", Error);

@@ -506,14 +506,14 @@ TEST_CASE("a tile that is very much smaller than a cell is not said to have no i
     // Each of many states is half as large as the next one, and the last is the twindragon.
     LatticeSet set = Digits{2, 2, {{0, 0}, {1, 0}}}.set();
     constexpr std::size_t count = 410;
-    const std::vector<LatticeSet::Part> dragon = set.parts.front();
+    const std::vector<LatticeSet::Part> twindragon = set.parts.front();
     set.parts.clear();
     set.shapes.clear();
     for (std::size_t k = 0; k < count; ++k) {
         set.parts.push_back({{std::min(k + 1, count - 1), {}}});
         set.shapes.push_back(k);
     }
-    set.parts.back() = {{count - 1, dragon[0].by}, {count - 1, dragon[1].by}};
+    set.parts.back() = {{count - 1, twindragon[0].by}, {count - 1, twindragon[1].by}};
     const Tile found = tile(set);
     CHECK(found.is_tile.answer == Answer::undecided);
     CHECK(found.is_tile.because == "whether it has inner points is not seen");

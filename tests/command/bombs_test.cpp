@@ -133,11 +133,16 @@ struct Ended {
     std::uint64_t peak = 0;  // bytes
 };
 
+/// In bytes.
+std::uint64_t peak_of(const struct rusage& used) {
+    return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
+}
+
 /// The most that this program has held, which its children are said to have held too.
 std::uint64_t own_peak() {
     struct rusage used = {};
     getrusage(RUSAGE_SELF, &used);
-    return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
+    return peak_of(used);
 }
 
 /// Runs a command and measures the most it held.
@@ -150,8 +155,7 @@ Ended measured(const std::string& command) {
     int status = 0;
     struct rusage used = {};
     wait4(child, &status, 0, &used);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            static_cast<std::uint64_t>(used.ru_maxrss) * 1024};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), peak_of(used)};
 }
 
 std::string with(std::string text, char sign, const std::string& value) {
